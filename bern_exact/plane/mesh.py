@@ -1,0 +1,26 @@
+"""Triangle meshes with exact vertices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from bern_exact.exact.points import HPoint
+
+Triangle = tuple[int, int, int]
+"""Three vertex indices, counter-clockwise."""
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """A triangulation: exact vertices and counter-clockwise triangles of vertex indices.
+
+    Parameters
+    ----------
+    vertices : tuple of HPoint
+        In a mesh made here the input's vertices come first, in input order.
+    triangles : tuple of (int, int, int)
+        0-based, counter-clockwise.
+    """
+
+    vertices: tuple[HPoint, ...]
+    triangles: tuple[Triangle, ...]
