@@ -1,0 +1,140 @@
+"""No float decides anything: what a look at the source can tell.
+
+It sees float and complex literals, `float`, `complex`, `round`, the modules
+`math`, `cmath`, `decimal`, `random` and numpy, a `/` between int literals or
+with `len()`, `int()` and the like on either side, `assert`, bare `except:`
+and bare exceptions.  It lets `1 / q` pass, which is exact for an mpq, and
+cannot see that a name is bound to an int.  There the types help in part:
+`typings/gmpy2` knows no `/` between mpz, so mypy refuses it.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+import pytest
+
+from tests.source import Module, modules
+
+# Path -> why numbers may be rounded there.  Everything here is shown to people and decides nothing.
+DISPLAY: dict[str, str] = {}
+
+# Path -> the modules named below that it may import, with the reason.
+MODULES_ALLOWED: dict[str, dict[str, str]] = {}
+
+INEXACT_MODULES = {"math", "cmath", "decimal", "random", "numpy", "statistics"}
+INEXACT_CALLS = {"float", "complex", "round"}
+INT_CALLS = {"len", "int", "bit_length", "ord"}
+MOST_LINES = 400
+
+MODULES = modules()
+by_name = pytest.mark.parametrize("module", MODULES, ids=lambda m: m.path)
+exact_only = pytest.mark.parametrize(
+    "module", [m for m in MODULES if m.path not in DISPLAY], ids=lambda m: m.path
+)
+
+
+def line(node: ast.AST) -> str:
+    return f"line {getattr(node, 'lineno', '?')}: {ast.unparse(node)}"
+
+
+def called(node: ast.AST) -> str | None:
+    """The name of what a call calls, the last part of a dotted one."""
+    if not isinstance(node, ast.Call):
+        return None
+    match node.func:
+        case ast.Name(name) | ast.Attribute(attr=name):
+            return name
+    return None
+
+
+def is_plainly_int(node: ast.expr) -> bool:
+    """Is this an int whatever the names in it are bound to?"""
+    match node:
+        case ast.Constant(value):
+            return isinstance(value, int)
+        case ast.UnaryOp(operand=operand):
+            return is_plainly_int(operand)
+        case ast.BinOp(left, _, right):
+            return is_plainly_int(left) and is_plainly_int(right)
+    return called(node) in INT_CALLS
+
+
+def is_exact_division(node: ast.BinOp) -> bool:
+    """Can this `/` be one of rationals?  An int literal on one side needs an mpq on the other."""
+    if {called(node.left), called(node.right)} & INT_CALLS:
+        return False
+    return not (is_plainly_int(node.left) and is_plainly_int(node.right))
+
+
+def inexact(module: Module) -> Iterator[str]:
+    """Everything in a module that makes or handles a float."""
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, float | complex):
+            yield line(node)
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            if node.func.id in INEXACT_CALLS:
+                yield line(node)
+        elif (
+            isinstance(node, ast.BinOp)
+            and isinstance(node.op, ast.Div)
+            and not is_exact_division(node)
+        ):
+            yield line(node)
+
+
+def imported_roots(tree: ast.AST) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.split(".")[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            yield (node.module or "").split(".")[0]
+
+
+@exact_only
+def test_no_float_is_made(module: Module) -> None:
+    assert not list(inexact(module))
+
+
+@by_name
+def test_no_inexact_module_is_imported(module: Module) -> None:
+    allowed = MODULES_ALLOWED.get(module.path, {})
+    assert not {m for m in imported_roots(module.tree) if m in INEXACT_MODULES} - set(allowed)
+
+
+@by_name
+def test_nothing_is_asserted(module: Module) -> None:
+    assert not [line(n) for n in ast.walk(module.tree) if isinstance(n, ast.Assert)]
+
+
+@by_name
+def test_exceptions_say_what_they_are(module: Module) -> None:
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.ExceptHandler):
+            assert node.type is not None, f"bare except, {line(node)}"
+        elif isinstance(node, ast.Raise) and node.exc is not None:
+            raised = node.exc.func if isinstance(node.exc, ast.Call) else node.exc
+            assert ast.unparse(raised) not in {"Exception", "BaseException"}, line(node)
+
+
+@by_name
+def test_files_are_short(module: Module) -> None:
+    assert module.text.count("\n") <= MOST_LINES
+
+
+def test_the_lists_of_exceptions_are_up_to_date() -> None:
+    paths = {m.path for m in MODULES}
+    assert set(DISPLAY) | set(MODULES_ALLOWED) <= paths
+
+
+@pytest.mark.parametrize(
+    "text", ["x = 0.5", "x = float(y)", "x = len(a) / k", "x = 1 / 3", "x = (1 + 2) / -4"]
+)
+def test_the_look_at_the_source_finds(text: str) -> None:
+    assert list(inexact(Module("m", "m.py", text, ast.parse(text))))
+
+
+@pytest.mark.parametrize("text", ["x = a / b", "x = mpq(1) / 3", "x = 7 // 2", "x = '0.5'"])
+def test_the_look_at_the_source_lets_pass(text: str) -> None:
+    assert not list(inexact(Module("m", "m.py", text, ast.parse(text))))
