@@ -161,7 +161,8 @@ class Diced:
     on_edge : tuple of tuple of int
         For each edge of P' the indices of its crossings from tail to head.
     xs, ys : tuple of int
-        The vertical and horizontal lines in use, sorted.
+        The vertical and horizontal lines in use, sorted: the lines of all blocks ("the ones
+        that support occupied and neighbor squares"), whether or not a piece of them is kept.
     """
 
     framed: Framed
@@ -208,7 +209,7 @@ class Traced:
         interval, or None if the interval has none.
     anchors : tuple of GridNode
         For each crossing its exterior anchor: the next crossing, beyond it on its line,
-        with a perpendicular line in use (or with the next integer line if none is).
+        with a perpendicular line in use.
     """
 
     diced: Diced
@@ -300,7 +301,8 @@ class BoundaryMesh:
     warped : Warped
         The stage before.
     touched : tuple of Face
-        Unwarped: `traced.faces`, then the rectangles that only a moved corner joins to the boundary.
+        Unwarped: `traced.faces`, then the rectangles that only a moved corner joins to the
+        boundary.
     faces : tuple of WarpedFace
         What they become; a face may vanish or split.
     """

@@ -93,6 +93,6 @@ def largest_angle(p: HPoint, q: HPoint, r: HPoint) -> tuple[Angle, int]:
 
 
 def tangent_pair(before: HPoint, apex: HPoint, after: HPoint) -> tuple[mpz, mpz]:
-    """(dot, cross) of apex-after and apex-before: the angle turned counter-clockwise between them."""
+    """(dot, cross) of apex-after and apex-before: the angle turned counter-clockwise."""
     u, v = direction(apex, after), direction(apex, before)
     return dot(u, v), cross(u, v)

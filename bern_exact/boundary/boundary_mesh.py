@@ -1,0 +1,78 @@
+"""The faces near the boundary after warping, triangulated (Lemma 2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
+from bern_exact.boundary.dice import square_of
+from bern_exact.boundary.faces import Tracer
+from bern_exact.boundary.optimal import best_triangulation
+from bern_exact.boundary.records import BoundaryMesh, Face, GridNode, Node, Warped, WarpedFace
+from bern_exact.boundary.warp import Warping
+
+
+class UntriangulatedFace(Exception):
+    """A warped face that has no triangulation by its own vertices: not a simple ring."""
+
+
+def triangulate_boundary(warped: Warped, warping: Warping, tracer: Tracer) -> BoundaryMesh:
+    """Map every touched face through the warping and triangulate it for greatest height.
+
+    Lemma 2: "After warping, each face can be triangulated with triangles of height
+    Omega(s).  Neighbor and occupied squares can be triangulated with maximum angle at
+    most 135 degrees as well."
+
+    Parameters
+    ----------
+    warped : Warped
+        Where everything goes.
+    warping : Warping
+        The same as a function.
+    tracer : Tracer
+        For the rectangles that have no piece of boundary but a moved corner.
+
+    Notes
+    -----
+    Block faces: greatest height among the triangulations without an angle above 135 degrees.
+    Linear time: each face has at most 7 nodes.
+    """
+    touched = [*warped.traced.faces, *_touched_rectangles(warped, tracer)]
+    faces: list[WarpedFace] = []
+    for source, face in enumerate(touched):
+        for ring in warping.rings(face.ring):
+            nodes = tuple(node for node, _ in ring)
+            points = [point for _, point in ring]
+            found = best_triangulation(points, limited=True) if face.block >= 0 else None
+            if found is None:
+                found = best_triangulation(points, limited=False)
+            if found is None:
+                raise UntriangulatedFace(f"face {source} with nodes {nodes}")
+            triangles = tuple((nodes[i], nodes[j], nodes[k]) for i, j, k in found.triangles)
+            faces.append(WarpedFace(nodes, face.block, source, triangles))
+    return BoundaryMesh(warped, tuple(touched), tuple(faces))
+
+
+def _touched_rectangles(warped: Warped, tracer: Tracer) -> Iterator[Face]:
+    """The rectangles without a piece of boundary, one of whose corners has moved."""
+    for node in sorted(warped.moved):
+        for heading in (EAST, NORTH, WEST, SOUTH):
+            if (node, heading) not in tracer.taken:
+                ring = tracer.rectangle(node, heading)
+                yield Face(ring, _block(warped, ring, warped.moved[node]))
+
+
+def _block(warped: Warped, ring: tuple[GridNode, ...], target: Node) -> int:
+    """The vertex whose block holds a rectangle that has a corner moved to `target`, or -1."""
+    polygon = warped.traced.diced.framed.polygon
+    if not isinstance(target, int):
+        return -1
+    ends = [target]
+    if target >= polygon.n:
+        edge = warped.traced.diced.crossings[target - polygon.n].edge
+        ends = [edge, polygon.after[edge]]
+    for v in ends:
+        fx, fy = square_of(polygon.points[v])
+        if all(fx - 1 <= x <= fx + 2 and fy - 1 <= y <= fy + 2 for x, y in ring):
+            return v
+    return -1

@@ -1,0 +1,207 @@
+"""Which corner of its square moves to each vertex: the corner rule, repaired (Lemma 2).
+
+The paper takes the closest corner; block faces can then have angles up to
+142.125 degrees.  Here the corners are tried in order of distance, and the first is
+taken for which every face of the block can be triangulated with all angles
+at most 135 degrees, edges of at least tau and heights of at least tau / sqrt 2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from gmpy2 import mpq
+
+from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
+from bern_exact.boundary.dice import square_of
+from bern_exact.boundary.faces import Tracer
+from bern_exact.boundary.optimal import Triangulated, best_triangulation
+from bern_exact.boundary.records import GridNode, Node, Traced, Warped
+from bern_exact.boundary.warp import Instance, QVertices, Warping
+from bern_exact.exact.points import HPoint, grid_point
+from bern_exact.exact.predicates import is_in_wedge, squared_distance
+
+TAU = mpq(1, 8)
+"""The snapping threshold in grid units."""
+
+# The cell at a grid vertex that lies left of it when it is reached by a heading, as the
+# offset of its lower left corner.
+CELL_OFFSET = {EAST: (-1, 0), NORTH: (-1, -1), WEST: (0, -1), SOUTH: (0, 0)}
+
+
+@dataclass(frozen=True)
+class Substep1:
+    """The moves of substep 1 for one vertex and one corner."""
+
+    corner: GridNode
+    moved: dict[GridNode, int]
+    instances: dict[Instance, int]
+
+
+class CornerRule:
+    """Chooses the corner that moves to each vertex.
+
+    Parameters
+    ----------
+    traced : Traced
+        The faces along the boundary, before warping.
+    tracer : Tracer
+        Which corners at grid vertices those faces have taken.
+    tau : mpq
+        The snapping threshold.
+    """
+
+    def __init__(self, traced: Traced, tracer: Tracer, tau: mpq) -> None:
+        self.traced = traced
+        self.polygon = traced.diced.framed.polygon
+        self.q = QVertices(traced, tau)
+        self.tau_squared = tau * tau
+        self._taken = tracer.taken
+        self._block_faces: list[list[int]] = [[] for _ in range(self.polygon.n)]
+        for i, face in enumerate(traced.faces):
+            if face.block >= 0:
+                self._block_faces[face.block].append(i)
+
+    def choose(self, v: int) -> tuple[Substep1, int]:
+        """The corner for vertex v and how many closer ones were refused.
+
+        If no corner will do (never seen), the closest is taken and the checkers report it.
+        """
+        candidates = self._candidates(v)
+        for rank, candidate in enumerate(candidates):
+            if self._is_good(v, candidate):
+                return candidate, rank
+        return candidates[0], 0
+
+    def _candidates(self, v: int) -> list[Substep1]:
+        """The four corners by distance, ties lexicographic."""
+        p = self.polygon.points[v]
+        fx, fy = square_of(p)
+        corners = [(fx + i, fy + j) for i in (0, 1) for j in (0, 1)]
+        corners.sort(key=lambda c: (squared_distance(p, grid_point(*c)), c))
+        return [self._moves(v, c) for c in corners]
+
+    def _moves(self, v: int, corner: GridNode) -> Substep1:
+        """What moves to v if it takes this corner."""
+        points = self.polygon.points
+        before, after = self.polygon.before[v], self.polygon.after[v]
+        inside = is_in_wedge(grid_point(*corner), points[before], points[v], points[after])
+        return Substep1(
+            corner,
+            {corner: v} if inside else {},
+            {(before, *corner): v, (v, *corner): v},
+        )
+
+    def _is_good(self, v: int, candidate: Substep1) -> bool:
+        """Does every face of the block keep its bounds with this corner?"""
+        warping = Warping(self.q, candidate.moved, candidate.instances)
+        for ring in self._block_rings(v, candidate, warping):
+            for final in warping.rings(ring):
+                points = [point for _, point in final]
+                if self._has_short_edge(points):
+                    return False
+                found = best_triangulation(points, limited=True)
+                if found is None or 2 * found.squared_height < self.tau_squared:
+                    return False
+        return True
+
+    def _has_short_edge(self, points: Sequence[HPoint]) -> bool:
+        return any(
+            squared_distance(points[i - 1], p) < self.tau_squared for i, p in enumerate(points)
+        )
+
+    def _block_rings(
+        self, v: int, candidate: Substep1, warping: Warping
+    ) -> Iterator[Sequence[Node]]:
+        """The unwarped faces of the block of v that may change."""
+        touched: set[GridNode] = set(candidate.moved)
+        for i in self._block_faces[v]:
+            ring = self.traced.faces[i].ring
+            yield ring
+            touched.update(
+                node
+                for node in ring
+                if isinstance(node, tuple) and warping.grid_target(node) != node
+            )
+        yield from self._touched_cells(v, sorted(touched))
+
+    def _touched_cells(self, v: int, nodes: Sequence[GridNode]) -> Iterator[Sequence[Node]]:
+        """The cells of the block that have one of these corners and no piece of boundary."""
+        fx, fy = square_of(self.polygon.points[v])
+        seen: set[GridNode] = set()
+        for node in nodes:
+            for heading, (i, j) in CELL_OFFSET.items():
+                x, y = node[0] + i, node[1] + j
+                if (node, heading) in self._taken or (x, y) in seen:
+                    continue
+                if abs(x - fx) <= 1 and abs(y - fy) <= 1:
+                    seen.add((x, y))
+                    yield ((x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1))
+
+
+def warp(traced: Traced, tracer: Tracer, tau: mpq = TAU) -> tuple[Warped, Warping]:
+    """Warp: each vertex takes a corner of its square, then each near q-vertex a grid vertex.
+
+    Section 2, the third step.
+
+    Parameters
+    ----------
+    traced : Traced
+        The faces along the boundary, before warping.
+    tracer : Tracer
+        The corners that these faces have taken.
+    tau : mpq
+        The snapping threshold of substep 2, in grid units.
+
+    Returns
+    -------
+    Warped
+        Where everything goes.
+    Warping
+        The same as a function, for mapping faces.
+
+    Notes
+    -----
+    Linear time in the number of q-vertices.
+    """
+    rule = CornerRule(traced, tracer, tau)
+    moved: dict[GridNode, Node] = {}
+    instances: dict[Instance, Node] = {}
+    corners: list[GridNode] = []
+    rank: list[int] = []
+    moved_1: dict[GridNode, int] = {}
+    instances_1: dict[Instance, int] = {}
+    for v in range(rule.polygon.n):
+        chosen, refused = rule.choose(v)
+        corners.append(chosen.corner)
+        rank.append(refused)
+        moved_1.update(chosen.moved)
+        instances_1.update(chosen.instances)
+    warping = Warping(rule.q, moved_1, instances_1)
+    moved.update(moved_1)
+    instances.update(instances_1)
+    choices = {
+        j: wish for j, wish in enumerate(rule.q.wishes) if wish is not None and warping.is_free(j)
+    }
+    for place in sorted(set(choices.values()), key=lambda place: (len(place), place)):
+        target = rule.q.n + warping.chooser(place)
+        if len(place) == 2:
+            moved[place] = target
+        else:
+            instances[place] = target
+    fates = [warping.fate(j) for j in range(len(rule.q.crossings))]
+    record = Warped(
+        traced,
+        tuple(corners),
+        tuple(rank),
+        moved,
+        instances,
+        choices,
+        tuple(node for node, _ in fates),
+        tuple(point for _, point in fates),
+    )
+    return record, warping
+
+
+__all__ = ["TAU", "CornerRule", "Triangulated", "warp"]
