@@ -1,0 +1,97 @@
+"""Polygons for tests and measurements: stars, spirals, combs, plates of holes, random ones."""
+
+from __future__ import annotations
+
+from random import Random
+
+from bern_exact.exact.points import HPoint, grid_point
+
+Ring = list[HPoint]
+
+
+def star(n: int, seed: int = 1, size: int = 10**9) -> Ring:
+    """A star-shaped ring round the origin with radii between size/5 and size."""
+    random = Random(seed)
+    ring = []
+    for i in range(n):
+        # The square's boundary, walked round by arc length: distinct rational directions.
+        quarter, along = divmod(4 * i * size + 2 * size, n * size)
+        x, y = size, (2 * size * along) // (n * size) - size
+        for _ in range(quarter):
+            x, y = -y, x
+        radius = random.randrange(200, 1001)
+        ring.append(grid_point(x * radius // 1000, y * radius // 1000))
+    return ring
+
+
+def spiral(n: int) -> Ring:
+    """A square spiral corridor of about n vertices, all its edges axis-parallel."""
+    turns = max(n // 2 - 1, 2)
+    steps = [(4, 0), (0, 4), (-4, 0), (0, -4)]
+    x, y = 0, 0
+    middle = [(0, 0)]
+    for i in range(turns):
+        dx, dy = steps[i % 4]
+        length = i // 2 + 1
+        x, y = x + dx * length, y + dy * length
+        middle.append((x, y))
+    left, right = [], []
+    for i, (px, py) in enumerate(middle):
+        ix, iy = steps[max(i - 1, 0) % 4]
+        ox, oy = steps[min(i, turns - 1) % 4]
+        # The corner's bisector, half the corridor's width to either side.
+        ix, iy, ox, oy = ix // 4, iy // 4, ox // 4, oy // 4
+        nx, ny = -iy - (oy if (ix, iy) != (ox, oy) else 0), ix + (ox if (ix, iy) != (ox, oy) else 0)
+        left.append(grid_point(px + nx, py + ny))
+        right.append(grid_point(px - nx, py - ny))
+    return right + left[::-1]
+
+
+def comb(n: int, length: int = 10**9) -> Ring:
+    """A comb of about n/2 needles side by side, each one unit wide and `length` long."""
+    needles = max(n // 2 - 1, 1)
+    ring = [grid_point(2 * needles, 0), grid_point(2 * needles, 1)]
+    for i in reversed(range(needles)):
+        ring += [grid_point(2 * i + 1, length + i % 7), grid_point(2 * i, 1)]
+    return [grid_point(0, 0), *ring]
+
+
+def plate(holes: int) -> list[Ring]:
+    """A square plate with about that many small triangular holes in rows."""
+    side = 1
+    while side * side < holes:
+        side += 1
+    rings = [
+        [grid_point(x * 10 * side, y * 10 * side) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    ]
+    for i in range(holes):
+        x, y = 10 * (i % side) + 2, 10 * (i // side) + 2 + i % 3
+        rings.append([grid_point(x, y), grid_point(x + 5, y + 1), grid_point(x + 1, y + 4)])
+    return rings
+
+
+def untangled(seed: int, n: int, size: int) -> Ring:
+    """A random simple ring: random distinct points, crossings undone by reversals.
+
+    Points may be collinear; the ring may then touch itself (the caller validates it).
+    """
+    from bern_exact.exact.predicates import orientation
+
+    random = Random(seed)
+    chosen: dict[tuple[int, int], None] = {}
+    while len(chosen) < n:
+        chosen[(random.randrange(size), random.randrange(size))] = None
+    ring = [grid_point(x, y) for x, y in chosen]
+    done = False
+    while not done:
+        done = True
+        for i in range(n - 1):
+            for j in range(i + 2, n):
+                a, b, c, d = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
+                if (
+                    orientation(a, b, c) * orientation(a, b, d) < 0
+                    and orientation(c, d, a) * orientation(c, d, b) < 0
+                ):
+                    ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+                    done = False
+    return ring
