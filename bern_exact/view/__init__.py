@@ -1,0 +1,1 @@
+"""Pictures, for people only.  Coordinates are rounded here, by integer arithmetic."""
