@@ -19,7 +19,7 @@ MAIN = (880, 820)
 """The largest width and height of the whole mesh on the page, in pixels."""
 
 MANY = 50_000
-"""With more triangles than this the whole is rounded to 1/20 pixel and leaves out what is smaller."""
+"""With more triangles than this the whole is rounded to 1/20 pixel, without what is smaller."""
 
 HEIGHT_BITS = 12
 """A marked triangle's least height is at least 2^HEIGHT_BITS units of the rounded plane."""
