@@ -1,0 +1,161 @@
+"""A picture of each stage's record, for `--trace`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from gmpy2 import mpq
+
+from bern_exact.boundary.records import (
+    HORIZONTAL,
+    VERTICAL,
+    BoundaryMesh,
+    Crossing,
+    Diced,
+    Face,
+    Framed,
+    Interval,
+    Lopped,
+    Node,
+    Traced,
+)
+from bern_exact.exact.points import HPoint, grid_point, hpoint
+from bern_exact.interior.records import Rectilinear, Swept
+from bern_exact.plane.polygon import Polygon
+from bern_exact.view.canvas import DETAIL, Plane, Window, path_data
+from bern_exact.view.page import COLOURS, Page
+from bern_exact.view.svg import MAIN, MANY
+
+
+class Layer(NamedTuple):
+    """Rings or open lines drawn alike.
+
+    Parameters
+    ----------
+    style : str
+        A class of triangles, "outline" or "line".
+    rings : sequence of sequences of HPoint
+        What is drawn.
+    """
+
+    style: str
+    rings: Sequence[Sequence[HPoint]]
+
+
+def draw_stage(name: str, record: object) -> str | None:
+    """A picture of a stage record, or None if there is nothing to see in a record of its type.
+
+    Parameters
+    ----------
+    name : str
+        The stage's name, for the title.
+    record : object
+        What the stage made.
+    """
+    layers_of = _PAINTERS.get(type(record))
+    if layers_of is None:
+        return None
+    return draw_layers(name, [layer for layer in layers_of(record) if layer.rings])
+
+
+def draw_layers(title: str, layers: Sequence[Layer]) -> str:
+    """An SVG of layers, the first at the bottom; they must hold at least one point."""
+    points = [p for layer in layers for ring in layer.rings for p in ring]
+    plane = Plane.around(points)
+    many = sum(len(layer.rings) for layer in layers) > MANY
+    window = Window.fitting(plane, *MAIN, 20 if many else DETAIL)
+    page = Page(window, [layer.style for layer in layers if layer.style in COLOURS], 0)
+    page.heading(title, "")
+    drawn = [
+        (style, path_data(window, map(plane.all, rings), closed=style != "line"))
+        for style, rings in layers
+    ]
+    page.whole([(style, data) for style, data in drawn if data])
+    return page.text()
+
+
+def _rings(polygon: Polygon) -> list[list[HPoint]]:
+    return [[polygon.points[v] for v in ring] for ring in polygon.rings]
+
+
+def _lopped(record: Lopped) -> list[Layer]:
+    ends = record.lopped.points
+    cuts = [[record.polygon.points[c.corner], ends[c.after], ends[c.before]] for c in record.cuts]
+    return [Layer("fan", cuts), Layer("outline", _rings(record.polygon))]
+
+
+def _framed(record: Framed) -> list[Layer]:
+    return [Layer("outline", _rings(record.polygon))]
+
+
+def _diced(record: Diced) -> list[Layer]:
+    def line(axis: int, interval: Interval) -> list[HPoint]:
+        ends = (interval.low, interval.high)
+        found = [record.crossing_at[axis, interval.line, edge] for edge in ends]
+        return [_position(record.crossings[j]) for j in found]
+
+    lines = [line(VERTICAL, interval) for interval in record.vertical]
+    lines += [line(HORIZONTAL, interval) for interval in record.horizontal]
+    return [Layer("line", lines), *_framed(record.framed)]
+
+
+def _position(crossing: Crossing) -> HPoint:
+    """Where a crossing lies before warping."""
+    on_line = mpq(crossing.line)
+    if crossing.axis == VERTICAL:
+        return hpoint(on_line, crossing.at)
+    return hpoint(crossing.at, on_line)
+
+
+def _traced(record: Traced) -> list[Layer]:
+    polygon = record.diced.framed.polygon
+
+    def at(node: Node) -> HPoint:
+        if isinstance(node, tuple):
+            return grid_point(*node)
+        if node < polygon.n:
+            return polygon.points[node]
+        return _position(record.diced.crossings[node - polygon.n])
+
+    def rings(faces: Sequence[Face]) -> list[list[HPoint]]:
+        return [[at(node) for node in face.ring] for face in faces]
+
+    return [
+        Layer("boundary", rings([face for face in record.faces if face.block < 0])),
+        Layer("block", rings([face for face in record.faces if face.block >= 0])),
+        *_framed(record.diced.framed),
+    ]
+
+
+def _meshed(record: BoundaryMesh) -> list[Layer]:
+    at = record.warped.point_of
+    rings: dict[bool, list[list[HPoint]]] = {False: [], True: []}
+    for face in record.faces:
+        rings[face.block >= 0] += [[at(node) for node in corners] for corners in face.triangles]
+    framed = record.warped.traced.diced.framed
+    return [Layer("boundary", rings[False]), Layer("block", rings[True]), *_framed(framed)]
+
+
+def _region(record: Rectilinear) -> list[Layer]:
+    return [Layer("outline", [[grid_point(*node) for node in loop] for loop in record.loops])]
+
+
+def _swept(record: Swept) -> list[Layer]:
+    triangles = [
+        [grid_point(*node) for node in corners]
+        for column in record.columns
+        for corners in column.triangles
+    ]
+    return [Layer("interior", triangles), *_region(record.region)]
+
+
+_PAINTERS: dict[type, Callable[..., list[Layer]]] = {
+    Lopped: _lopped,
+    Framed: _framed,
+    Diced: _diced,
+    Traced: _traced,
+    BoundaryMesh: _meshed,
+    Rectilinear: _region,
+    Swept: _swept,
+}
