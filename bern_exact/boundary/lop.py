@@ -91,7 +91,7 @@ def _cut(
         b = along(apex, after, sqrt_below(squared_out, bits))
         # Rounding makes the triangle slightly scalene; it ends, as the limit's base
         # angles lie strictly between 45 and 90 degrees.
-        if _is_base_angle(a, b, apex) and _is_base_angle(apex, a, b):
+        if _is_base_angle(apex, b, a) and _is_base_angle(b, a, apex):
             return nearest, (a, b)
         bits += FIRST_BITS // 2
 

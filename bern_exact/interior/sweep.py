@@ -68,14 +68,17 @@ def _ladder(
     """Triangles between the two sides, from the bottom up.
 
     The printed "zig-zag" has heights near 0 on tall columns.  Instead the side with the
-    lower next point advances.  With at most one subdivision a side between matched points the
-    apex is then level with the base: no triangle has an obtuse angle at its base, and
-    its height is at least 1/sqrt 2.
+    lower next point advances, and of two level ones the side that is behind.  With at
+    most one subdivision a side between matched points the apex is then level with the base:
+    no triangle has an obtuse angle at its base, and its height is at least 1/sqrt 2.
     """
     x0, x1 = column.x0, column.x1
+    end = (column.y1 + 1, 0)
     i = j = 0
     while i + 1 < len(left) or j + 1 < len(right):
-        if j + 1 == len(right) or (i + 1 < len(left) and left[i + 1] <= right[j + 1]):
+        next_left = (left[i + 1], left[i]) if i + 1 < len(left) else end
+        next_right = (right[j + 1], right[j]) if j + 1 < len(right) else end
+        if next_left <= next_right:
             yield ((x0, left[i]), (x1, right[j]), (x0, left[i + 1]))
             i += 1
         else:
