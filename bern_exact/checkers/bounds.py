@@ -1,0 +1,216 @@
+"""Every constant of the checkers, exactly, with its place in the paper and its reason.
+
+All are rationals (`gmpy2.mpq`) or integers.  Lengths are in grid units
+(b = 1) where nothing else is said, and squared where the name says so.
+The paper is Bern, Dobkin, Eppstein, *Triangulating Polygons without Large
+Angles*.
+"""
+
+from __future__ import annotations
+
+from gmpy2 import mpq
+
+# Section 2, lopping (Lemma 1) -------------------------------------------------
+
+CUT_FRACTION = mpq(1, 3)
+"""Where an acute corner v is cut: |vw|/3 from v on both edges (Lemma 1; cutting line repaired)."""
+
+CUT_ROUNDING = 1 - mpq(1, 2**9)
+"""The least ratio of a cut's true distance from v to |vw|/3.
+
+Cut parameters are rounded down to at least 10 significant bits, which loses
+less than one part in 2^9.  They are never rounded up: a cut that takes less
+than a third from each end leaves the proof of Lemma 1 as it is.
+"""
+
+LOPPED_FEATURE_SQUARED = CUT_FRACTION**2
+"""(s'/s)^2 is at least this, times the squared rounding of the cuts (Lemma 1)."""
+
+CUT_HEIGHT_SQUARED = mpq(1, 18)
+"""(height/s)^2 of a cut triangle, (sqrt 2/6)^2, times the squared rounding of the cuts (Lemma 1).
+
+Its edges are at least s/3, and all its angles at most 90 degrees, so that of
+the two angles at its longest edge one is between 45 and 90: the height is at
+least (s/3) sin 45.
+"""
+
+# Section 2, dicing --------------------------------------------------------------
+
+FACTOR = mpq(8)
+"""s' in grid units: b = s'/8, rounded down (Section 2; the paper takes s where s' is needed)."""
+
+UNIT_ROUNDING = 1 - mpq(1, 2**9)
+"""The least ratio of b to s'/8: b is s'/8 rounded down to a rational."""
+
+INTERVALS_A_VERTEX = 16
+"""Kept intervals per vertex of P' (Section 2).
+
+A block has 4 + 4 lines, and the wedge of its vertex cuts the piece of a line
+within the block into at most two.
+"""
+
+# Section 2, warping -------------------------------------------------------------
+
+TAU = mpq(1, 8)
+"""The snapping threshold of the second warping substep: b/8 (Section 2)."""
+
+MOVED_BY_VERTICES_A_FACE = 1
+"""Grid vertices of one face that move in substep 1 (Section 2; since b <= s'/8)."""
+
+CHOOSERS = 2
+"""q-vertices that choose the same grid vertex or exterior instance in substep 2 (Section 2)."""
+
+FACE_SIDES = 6
+"""Sides of a face outside the blocks: a rectangle that at most two edges cross (Lemma 2)."""
+
+MOVED_OUTSIDE_BLOCKS = 2
+"""Moved grid vertices of a face outside the blocks (Lemma 2)."""
+
+
+def slope(tau: mpq = TAU) -> mpq:
+    """The slope that almost-horizontal edges outside blocks may have, 2 tau.
+
+    The paper's arctan((b/4)/b) < 14.04 degrees: at worst one end of an edge of
+    length at least b goes up by tau and the other down by tau.  An end that
+    moves along the edge has not moved across it, so the length stays b.
+    """
+    return 2 * tau
+
+
+def edge_squared(tau: mpq = TAU) -> mpq:
+    """The least squared length of an edge after warping, tau^2 ("at least b/8", Section 2)."""
+    return tau * tau
+
+
+# Section 2, Lemma 2 ---------------------------------------------------------------
+
+BLOCK_COTANGENT = mpq(-1)
+"""The cotangent of each angle in a block is at least this: at most 135 degrees (Lemma 2)."""
+
+
+def boundary_height_squared(tau: mpq = TAU) -> mpq:
+    """The least squared height of a boundary triangle, (tau/sqrt 2)^2 (Lemma 2, repaired).
+
+    The paper's "almost b/8" is too optimistic: an edge of length tau at 45
+    degrees to the longest edge of its triangle gives tau/sqrt 2.
+    """
+    return tau * tau / 2
+
+
+# Section 2, Lemma 3 ---------------------------------------------------------------
+
+REGION_FEATURE = 1
+"""The feature size of Q in grid units: axis-parallel edges between integer points."""
+
+INTERIOR_HEIGHT_SQUARED = mpq(1, 2)
+"""The least squared height of an interior triangle, (b/sqrt 2)^2 (Lemma 3, repaired).
+
+The unit square attains it: "height at least b" is false as printed.
+"""
+
+SUBDIVISIONS_A_SIDE = 1
+"""Unmatched points on a vertical side between matched ones, after both sweeps (Lemma 3)."""
+
+
+def added_points(left: int, right: int) -> int:
+    """How many points Lemma 3's sweeps may add: 2 B_L + B_R.
+
+    B_L (B_R) boundary vertices lie strictly inside left (right) sides of
+    columns.  Every second point of a side goes on, rounded down, so that one
+    point causes at most 1/2 + 1/4 + ... < 1 further ones: B_L in the first sweep,
+    and B_R + B_L in the second, which meets the points of the first as well.
+    """
+    return 2 * left + right
+
+
+def interior_triangles(edges: int, holes: int) -> int:
+    """How many triangles Lemma 3 may make: 4 N + 2 holes.
+
+    By Euler's formula T = N + 2 I - 2 components + 2 holes for I added points.
+    I <= 2 B_L + B_R, and B_L = B_R <= N/2: a vertex strictly inside a left side
+    looks right along a chord which, by the matching condition, ends at a vertex
+    strictly inside a right side, and conversely.  So 2 I <= 3 N.
+    """
+    return 4 * edges + 2 * holes
+
+
+# Section 2, Theorem 1 ---------------------------------------------------------------
+
+CORNERS_A_FACE = 6
+"""Grid vertices of a face that has a piece of the boundary, before warping.
+
+A face turns by 360 degrees in all: by 90 at each grid vertex (two whole
+intervals cross there), by at least 0 at each q-vertex, by more than -180 at a
+vertex of P'.  It has at most one vertex of P', in whose block it lies.  So
+90 g - 180 < 360 + 180 leaves g <= 5 with one, g <= 4 with none; 6 is safe.
+"""
+
+
+def lopped_vertices(n: int) -> int:
+    """Vertices of P': each acute vertex becomes two."""
+    return 2 * n
+
+
+def crossings(lopped: int) -> int:
+    """q-vertices of P' with this many vertices: both ends of the kept intervals."""
+    return 2 * INTERVALS_A_VERTEX * lopped
+
+
+def touched_triangles(lopped: int) -> int:
+    """Triangles of the touched faces, for n' vertices and X q-vertices of P'.
+
+    - The edges of P' are n' + X pieces, each on one face; so at most n' + X faces have a
+      piece.  Such a face has at most 6 grid vertices and its pieces' ends: a face of m nodes
+      makes at most m - 2 triangles, together at most (6 - 2)(n' + X) + 2 (n' + X).
+    - A rectangle without a piece is touched because a corner of it moves.  At most n' grid
+      vertices move in substep 1 and X in substep 2, each the corner of at most 4 rectangles
+      of 2 triangles: 8 (n' + X).
+    """
+    pieces = lopped + crossings(lopped)
+    return (CORNERS_A_FACE - 2 + 2) * pieces + 8 * pieces
+
+
+def region_edges(lopped: int) -> int:
+    """N, the boundary edges of Q, for n' vertices and X q-vertices of P'.
+
+    Each is an edge of a touched face between two grid vertices.  A face with a
+    piece of the boundary has at most 5 such; round a moved grid vertex all four
+    faces are touched, so their edges at it are inside, and 8 remain.
+    """
+    pieces = lopped + crossings(lopped)
+    return (CORNERS_A_FACE - 1) * pieces + 8 * pieces
+
+
+def fan_triangles(n: int, lopped: int) -> int:
+    """Triangles of the lopped corners: one a cut, and one more for each q-vertex on a cut."""
+    return n + crossings(lopped)
+
+
+def theorem_1_triangles(n: int) -> int:
+    """The explicit O(n) of Theorem 1: at most 4850 n triangles.
+
+    The sum of `touched_triangles`, `interior_triangles` with at most N/4 holes
+    (a loop has 4 edges) and `fan_triangles`, for n' = 2 n.  A crude bound that
+    follows from the parts; 25 to 80 n is what is seen.
+
+    >>> theorem_1_triangles(1)
+    4849
+    """
+    lopped = lopped_vertices(n)
+    edges = region_edges(lopped)
+    return (
+        touched_triangles(lopped) + interior_triangles(edges, edges // 4) + fan_triangles(n, lopped)
+    )
+
+
+def theorem_1_height_squared(tau: mpq = TAU, factor: mpq = FACTOR) -> mpq:
+    """The least (height/s)^2 of Theorem 1: about 1/271.5^2 for the default tau and factor.
+
+    Every part has height at least tau b/sqrt 2: Lemma 2 near the boundary, 1/sqrt 2
+    inside (Lemma 3).  A lopped corner's fan triangle has a base of at least tau b
+    with an angle of 45 to 90 degrees at one end of the base's line: its height is
+    at least tau b sin 45, or the corner's own.  And b >= s'/factor, s' >= s/3, each up
+    to its rounding.
+    """
+    rounding = CUT_ROUNDING * UNIT_ROUNDING
+    return boundary_height_squared(tau) * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2
