@@ -1,10 +1,14 @@
-"""Files written whole or not at all."""
+"""Results on their way out: files written whole or not at all, and standard output."""
 
 from __future__ import annotations
 
+import json
 import os
+import sys
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 
 def write_atomically(path: Path, text: str) -> None:
@@ -45,3 +49,23 @@ def _mode(path: Path) -> int:
     mask = os.umask(0)
     os.umask(mask)
     return 0o666 & ~mask
+
+
+def emit(text: str) -> None:
+    """Write to stdout, as UTF-8 whatever the locale; a reader that has gone away is no error."""
+    try:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
+        sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        # What is still buffered must not fail again when Python shuts down.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def emit_json(record: Mapping[str, Any], path: Path | None = None) -> None:
+    """Write a JSON object to stdout or a file, ASCII only, so that any terminal can show it."""
+    text = json.dumps(record, indent=2) + "\n"
+    if path is None:
+        emit(text)
+    else:
+        write_atomically(path, text)

@@ -112,10 +112,12 @@ class Window:
 
     def at(self, point: XY) -> XY:
         """Where a point is shown, in units from the upper left corner."""
-        k = self.pixels * self.detail
-        return (point[0] - self.left) * k // self.width, (
-            self.bottom + self.height - point[1]
-        ) * k // self.width
+        right, down = point[0] - self.left, self.bottom + self.height - point[1]
+        return self._rounded(right), self._rounded(down)
+
+    def _rounded(self, length: int) -> int:
+        """The nearest whole number of units."""
+        return (2 * length * self.pixels * self.detail + self.width) // (2 * self.width)
 
     def sees(self, ring: Sequence[XY]) -> bool:
         """Does the bounding box of these points meet the window?"""

@@ -23,6 +23,7 @@ from bern_exact.boundary.records import (
 from bern_exact.exact.points import HPoint, grid_point, hpoint
 from bern_exact.interior.records import Rectilinear, Swept
 from bern_exact.plane.polygon import Polygon
+from bern_exact.theorems.assemble import CLASSES, Assembled
 from bern_exact.view.canvas import DETAIL, Plane, Window, path_data
 from bern_exact.view.page import COLOURS, Page
 from bern_exact.view.svg import MAIN, MANY
@@ -150,6 +151,14 @@ def _swept(record: Swept) -> list[Layer]:
     return [Layer("interior", triangles), *_region(record.region)]
 
 
+def _assembled(record: Assembled) -> list[Layer]:
+    at = record.mesh.vertices
+    rings: dict[str, list[list[HPoint]]] = {name: [] for name in CLASSES}
+    for tag, corners in zip(record.classes, record.mesh.triangles, strict=True):
+        rings[CLASSES[tag]].append([at[i] for i in corners])
+    return [Layer(name, found) for name, found in rings.items()]
+
+
 _PAINTERS: dict[type, Callable[..., list[Layer]]] = {
     Lopped: _lopped,
     Framed: _framed,
@@ -158,4 +167,5 @@ _PAINTERS: dict[type, Callable[..., list[Layer]]] = {
     BoundaryMesh: _meshed,
     Rectilinear: _region,
     Swept: _swept,
+    Assembled: _assembled,
 }

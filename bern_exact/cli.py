@@ -1,0 +1,226 @@
+"""The command line: `bern-exact COMMAND`, the same as `python -m bern_exact COMMAND`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from bern_exact import __version__
+from bern_exact.api import NotInThisVersion, Result, load_polygon, triangulate
+from bern_exact.checkers.findings import LemmaViolation
+from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
+from bern_exact.exact.errors import InputError
+from bern_exact.exact.numbers import parse_rational
+from bern_exact.facts import facts_of
+from bern_exact.formats import read_mesh_file
+from bern_exact.oracle.fast import verify_mesh
+from bern_exact.outputs import emit, emit_json, write_atomically
+from bern_exact.plane.mesh import Mesh
+from bern_exact.plane.polygon import Polygon
+from bern_exact.progress import Progress
+from bern_exact.report import (
+    certificate_lines,
+    claims_table,
+    console,
+    facts_lines,
+    verdict_lines,
+)
+from bern_exact.trace import Trace
+from bern_exact.view.triangulation import draw_triangulation
+
+SOURCE = click.Path(exists=True, dir_okay=False, path_type=Path)
+TARGET = click.Path(path_type=Path, dir_okay=False)
+
+numbers_option = click.option(
+    "--numbers",
+    type=click.Choice(["decimal", "binary64"]),
+    default="decimal",
+    show_default=True,
+    help="Read a decimal as exactly that, or as the double nearest to it.",
+)
+json_option = click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout.")
+output_option = click.option("-o", "--output", type=TARGET, help="Write the result to a file.")
+svg_option = click.option("--svg", type=TARGET, help="Draw the mesh.")
+
+
+class RationalOption(click.ParamType):
+    """An exact rational on the command line."""
+
+    name = "rational"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        try:
+            return parse_rational(value)
+        except InputError as error:
+            self.fail(error.message, param, ctx)
+
+
+class AngleOption(click.ParamType):
+    """An angle bound: decimal degrees or `cos:S:p/q`."""
+
+    name = "angle"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        try:
+            return parse_angle_bound(value)
+        except InputError as error:
+            self.fail(error.message, param, ctx)
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="bern-exact")
+def cli() -> None:
+    """Triangulate polygons without large angles, exactly, every lemma checked on the way."""
+
+
+@cli.command("triangulate")
+@click.argument("polygon", type=SOURCE)
+@click.option("--theorem", type=click.Choice(["1", "2", "3", "4"]), help="Whose construction.")
+@click.option(
+    "--check",
+    type=click.Choice(["every-stage", "final", "none"]),
+    default="every-stage",
+    show_default=True,
+    help="Which claims are checked.",
+)
+@click.option("--as-printed", is_flag=True, help="Evaluate the paper's false sentences as well.")
+@click.option(
+    "--trace",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Write every stage's record and picture to a directory.",
+)
+@output_option
+@svg_option
+@numbers_option
+@json_option
+def triangulate_command(
+    polygon: Path,
+    theorem: str | None,
+    check: str,
+    as_printed: bool,
+    trace: Path | None,
+    output: Path | None,
+    svg: Path | None,
+    numbers: str,
+    as_json: bool,
+) -> int:
+    """Triangulate POLYGON by a theorem's construction.
+
+    The mesh goes to stdout or the file of -o; with -o, stdout gets a summary.
+    """
+    shape = load_polygon(polygon, numbers=numbers)
+    tracer = Trace(trace) if trace else None
+    with Progress() as progress:
+        if tracer:
+            progress.follow(tracer.stage)
+        try:
+            result = triangulate(
+                shape,
+                theorem=int(theorem) if theorem else None,
+                check=check,
+                as_printed=as_printed,
+                observer=progress,
+            )
+        except NotInThisVersion as error:
+            raise click.UsageError(str(error)) from None
+        except LemmaViolation as violation:
+            if tracer:
+                click.echo(f"witness saved in {tracer.violation(violation.finding)}", err=True)
+            raise
+    if svg:
+        write_atomically(svg, draw_triangulation(result.mesh, result.polygon, result.classes))
+    if result.certificate.claims:
+        console().print(claims_table(result.certificate.claims))
+    _hand_over(result, output, as_json)
+    return 0
+
+
+def _hand_over(result: Result, output: Path | None, as_json: bool) -> None:
+    """The mesh to its file and a summary to stdout, or the mesh itself to stdout."""
+    if output is None:
+        emit(result.document)
+        return
+    write_atomically(output, result.document)
+    if as_json:
+        emit_json({"output": str(output), "certificate": result.certificate.to_json()})
+    else:
+        emit("".join(f"{line}\n" for line in certificate_lines(result.certificate)))
+
+
+@cli.command("verify")
+@click.argument("mesh", type=SOURCE)
+@click.option("--polygon", type=SOURCE, help="What it should triangulate.")
+@click.option("--max-angle", type=AngleOption(), help="Degrees (149.5) or cos:S:p/q.")
+@click.option("--min-height-squared", type=RationalOption(), help="A bound on every height.")
+@click.option("--max-triangles", type=click.IntRange(min=0), help="A bound on their number.")
+@click.option(
+    "--limit", type=click.IntRange(min=0), default=100, show_default=True, help="Defects listed."
+)
+@output_option
+@svg_option
+@numbers_option
+@json_option
+def verify_command(
+    mesh: Path,
+    polygon: Path | None,
+    max_angle: AngleBound | None,
+    min_height_squared: Any,
+    max_triangles: int | None,
+    limit: int,
+    output: Path | None,
+    svg: Path | None,
+    numbers: str,
+    as_json: bool,
+) -> int:
+    """Judge MESH exactly: is it a triangulation, how large its angles, how small its heights?
+
+    Exit code 0 if it is and keeps every bound asked for, 1 if not.
+    """
+    found, own = read_mesh_file(mesh, binary64=numbers == "binary64")
+    target = load_polygon(polygon, numbers=numbers) if polygon else own
+    verdict = verify_mesh(
+        found,
+        target,
+        max_angle=max_angle,
+        min_height_squared=min_height_squared,
+        max_triangles=max_triangles,
+        limit=limit,
+    )
+    if svg:
+        _draw_if_possible(svg, found, target)
+    text = "".join(f"{line}\n" for line in verdict_lines(verdict))
+    record = verdict.to_json()
+    if output:
+        emit_json(record, output)
+    if as_json:
+        emit_json(record)
+    else:
+        emit(text)
+    return 0 if verdict.valid else 1
+
+
+def _draw_if_possible(svg: Path, mesh: Mesh, polygon: Polygon | None) -> None:
+    """Draw a mesh that anybody made; one whose indices are out of range has no picture."""
+    if all(0 <= i < len(mesh.vertices) for corners in mesh.triangles for i in corners):
+        write_atomically(svg, draw_triangulation(mesh, polygon))
+    else:
+        click.echo("no picture: a triangle's vertex does not exist", err=True)
+
+
+@cli.command("facts")
+@click.argument("polygon", type=SOURCE)
+@output_option
+@numbers_option
+@json_option
+def facts_command(polygon: Path, output: Path | None, numbers: str, as_json: bool) -> int:
+    """The exact sizes of POLYGON, and the bound that they put on any triangulation."""
+    facts = facts_of(load_polygon(polygon, numbers=numbers))
+    if output:
+        emit_json(facts.to_json(), output)
+    if as_json:
+        emit_json(facts.to_json())
+    elif not output:
+        emit("".join(f"{line}\n" for line in facts_lines(facts)))
+    return 0

@@ -1,0 +1,81 @@
+"""How much each stage made, for the certificate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from bern_exact.boundary.records import BoundaryMesh, Diced, Lopped, Traced, Warped
+from bern_exact.interior.records import Rectilinear, Swept
+from bern_exact.theorems.assemble import Assembled
+
+
+def stage_counts(records: Mapping[str, object]) -> dict[str, dict[str, int]]:
+    """For each stage whose record has something to count, the numbers.
+
+    Parameters
+    ----------
+    records : mapping
+        Stage records by name, in order.
+    """
+    counted = {name: _COUNTS.get(type(record)) for name, record in records.items()}
+    return {name: count(records[name]) for name, count in counted.items() if count is not None}
+
+
+def _lopped(record: Lopped) -> dict[str, int]:
+    return {"vertices": record.lopped.n, "cuts": len(record.cuts)}
+
+
+def _diced(record: Diced) -> dict[str, int]:
+    return {
+        "intervals": len(record.vertical) + len(record.horizontal),
+        "crossings": len(record.crossings),
+        "lines": len(record.xs) + len(record.ys),
+    }
+
+
+def _traced(record: Traced) -> dict[str, int]:
+    return {"faces": len(record.faces)}
+
+
+def _warped(record: Warped) -> dict[str, int]:
+    return {
+        "moved_grid_vertices": len(record.moved),
+        "moved_instances": len(record.instances),
+        "corners_not_closest": sum(rank > 0 for rank in record.rank),
+    }
+
+
+def _boundary(record: BoundaryMesh) -> dict[str, int]:
+    return {
+        "faces": len(record.faces),
+        "triangles": sum(len(face.triangles) for face in record.faces),
+    }
+
+
+def _interior(record: Rectilinear) -> dict[str, int]:
+    return {"loops": len(record.loops), "edges": record.edges}
+
+
+def _swept(record: Swept) -> dict[str, int]:
+    return {
+        "columns": len(record.columns),
+        "added": len(record.added),
+        "triangles": sum(len(column.triangles) for column in record.columns),
+    }
+
+
+def _mesh(record: Assembled) -> dict[str, int]:
+    return {"vertices": len(record.mesh.vertices), "triangles": len(record.mesh.triangles)}
+
+
+_COUNTS: dict[type, Callable[[Any], dict[str, int]]] = {
+    Lopped: _lopped,
+    Diced: _diced,
+    Traced: _traced,
+    Warped: _warped,
+    BoundaryMesh: _boundary,
+    Rectilinear: _interior,
+    Swept: _swept,
+    Assembled: _mesh,
+}

@@ -1,0 +1,61 @@
+"""What people see while a long run goes on: a bar on stderr, if that is a terminal."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from types import TracebackType
+
+from rich.console import Console
+from rich.progress import BarColumn, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.progress import Progress as Bar
+
+StageListener = Callable[[str, object], None]
+"""Called with a stage's name and its record."""
+
+
+class Progress:
+    """A progress bar over the stages of a run, and a way for others to listen along.
+
+    Without a terminal on stderr nothing is shown.
+
+    Parameters
+    ----------
+    stages : int
+        How many stages are expected.
+    """
+
+    def __init__(self, stages: int) -> None:
+        self._listeners: list[StageListener] = []
+        self._bar = Bar(
+            SpinnerColumn(),
+            TextColumn("{task.description}"),
+            BarColumn(),
+            TimeElapsedColumn(),
+            console=Console(stderr=True),
+            transient=True,
+            disable=not sys.stderr.isatty(),
+        )
+        self._task = self._bar.add_task("reading", total=stages)
+
+    def follow(self, listener: StageListener) -> None:
+        """Let somebody else see each stage's record, too."""
+        self._listeners.append(listener)
+
+    def stage(self, name: str, record: object) -> None:
+        """A stage is done."""
+        self._bar.update(self._task, advance=1, description=f"{name} done")
+        for listener in self._listeners:
+            listener(name, record)
+
+    def __enter__(self) -> Progress:
+        self._bar.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._bar.stop()

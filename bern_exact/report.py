@@ -1,0 +1,91 @@
+"""What people read: the table of claims, verdicts and facts, exact values shortened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from gmpy2 import mpq
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from bern_exact.certificate import Certificate
+from bern_exact.checkers.findings import Finding
+from bern_exact.exact.numbers import format_rational
+from bern_exact.facts import Facts
+from bern_exact.figures import degrees, enclosed, root, shortened
+
+FILE_WIDTH = 132
+"""Columns, where the output is no terminal."""
+
+
+def console() -> Console:
+    """Standard error, for everything that is not the result."""
+    plain = Console(stderr=True, highlight=False)
+    return plain if plain.is_terminal else Console(stderr=True, width=FILE_WIDTH, highlight=False)
+
+
+def claims_table(claims: Iterable[Finding]) -> Table:
+    """The table of claims: claim, cases, measured, bound, holds."""
+    table = Table(title="Claims, each checked exactly", title_justify="left", box=None)
+    table.add_column("claim", no_wrap=True)
+    for heading in ("cases", "measured", "bound"):
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column("holds", no_wrap=True)
+    table.add_column("what is claimed", ratio=1)
+    for claim in claims:
+        table.add_row(
+            claim.claim,
+            f"{claim.cases:,}",
+            Text(shortened(claim.measured)),
+            Text(shortened(claim.bound)),
+            _holds(claim),
+            Text(claim.statement),
+        )
+    return table
+
+
+def _holds(claim: Finding) -> Text:
+    """Yes, no, or how an unproved or refuted sentence came out."""
+    if claim.role == "as-printed":
+        return Text("yes (as printed)" if claim.holds else "no (as printed)", style="yellow")
+    return Text("yes", style="green") if claim.holds else Text("NO", style="bold red")
+
+
+def certificate_lines(certificate: Certificate) -> list[str]:
+    """A few lines that say what was made."""
+    kept = sum(claim.holds for claim in certificate.claims if claim.role == "guarantee")
+    guarantees = sum(claim.role == "guarantee" for claim in certificate.claims)
+    per_vertex = enclosed(mpq(certificate.triangles, certificate.n), 3)
+    return [
+        f"Theorem {certificate.theorem}: {certificate.n:,} vertices, {certificate.holes:,} holes,"
+        f" {certificate.triangles:,} triangles ({per_vertex} a vertex)",
+        f"least height {root(certificate.min_height_squared)},"
+        f" {root(certificate.height_ratio_squared)} of the feature size"
+        f" {root(certificate.feature_size_squared)}",
+        f"largest angle {degrees(certificate.max_angle)} degrees",
+        f"{kept} of {guarantees} guarantees checked and kept",
+    ]
+
+
+def facts_lines(facts: Facts) -> list[str]:
+    """The facts of a polygon, a line each."""
+    record = facts.to_json()
+    at = record["feature_size_at"]
+    where = f"edge {at['edge']}"
+    if "vertex" in at:
+        where = f"vertex {at['vertex']} and {where}"
+    acute = record["acute_vertices"]
+    listed = " ".join(map(str, acute[:10])) + (" ..." if len(acute) > 10 else "")
+    return [
+        f"vertices           {facts.polygon.n:,}",
+        f"holes              {facts.polygon.holes:,}",
+        f"area               {shortened(record['area'])}",
+        f"feature size       {root(facts.feature.squared)}",
+        f"  squared          {format_rational(facts.feature.squared)}",
+        f"  attained at      {where}",
+        f"diameter           {root(facts.diameter_squared)}",
+        f"acute vertices     {len(acute):,}  {listed}".rstrip(),
+        f"convex             {'yes' if facts.convex else 'no'}",
+        "no triangulation has a least height above the feature size",
+    ]
