@@ -5,12 +5,22 @@ JOBS ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
+OUT := out
+NAME := south_africa
+POLYGON := examples/ne_south_africa_50m.json
 
 .PHONY: demo test lint types pytest clean
 .DELETE_ON_ERROR:
 
 demo: $(STAMP)
-	@$(BIN)/python examples/demo.py
+	@mkdir -p $(OUT)
+	@echo "South Africa, with Lesotho as its hole. Theorem 1, every claim checked after its stage:"
+	$(BIN)/bern-exact triangulate $(POLYGON) --theorem 1 -o $(OUT)/$(NAME).mesh.json --svg $(OUT)/$(NAME).svg
+	@echo
+	@echo "The judge: one file, standard library only, imports nothing of the package:"
+	$(BIN)/python -I bern_exact/oracle/judge.py $(OUT)/$(NAME).mesh.json $(POLYGON)
+	@echo
+	@echo "Look at $(OUT)/$(NAME).svg in a browser, and at the certificate at the end of $(OUT)/$(NAME).mesh.json"
 
 test: lint types pytest
 
