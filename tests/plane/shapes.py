@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from random import Random
 
-from bern_exact.exact.points import HPoint, grid_point
+from gmpy2 import mpq
+from hypothesis import assume
+from hypothesis import strategies as st
+
+from bern_exact.exact.points import HPoint, grid_point, hpoint
+from bern_exact.exact.predicates import orientation
+from bern_exact.plane.polygon import Polygon
+
+from .by_definition import is_polygon, twice_area
 
 Ring = list[HPoint]
 
@@ -75,8 +84,6 @@ def untangled(seed: int, n: int, size: int) -> Ring:
 
     Points may be collinear; the ring may then touch itself (the caller validates it).
     """
-    from bern_exact.exact.predicates import orientation
-
     random = Random(seed)
     chosen: dict[tuple[int, int], None] = {}
     while len(chosen) < n:
@@ -95,3 +102,35 @@ def untangled(seed: int, n: int, size: int) -> Ring:
                     ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
                     done = False
     return ring
+
+
+def oriented(rings: Sequence[Sequence[HPoint]]) -> Polygon:
+    """The polygon of valid rings, not validated: outer ring turned left, holes right."""
+    points = tuple(p for ring in rings for p in ring)
+    indices, start = [], 0
+    for r, ring in enumerate(rings):
+        ids = list(range(start, start + len(ring)))
+        if (twice_area(ring) > 0) != (r == 0):
+            ids = [ids[0], *ids[:0:-1]]
+        indices.append(tuple(ids))
+        start += len(ring)
+    return Polygon(points, tuple(indices))
+
+
+@st.composite
+def polygons(draw: st.DrawFn) -> Polygon:
+    """Polygons on a small grid, with holes, collinear runs and vertical edges."""
+    size = draw(st.integers(3, 9))
+    n = draw(st.integers(3, min(12, size * size)))
+    outer = untangled(draw(st.integers(0, 10**6)), n, size)
+    rings = [outer]
+    assume(is_polygon(rings))
+    places = st.tuples(st.integers(0, 4 * size), st.integers(0, 4 * size))
+    for corners in draw(
+        st.lists(st.lists(places, min_size=3, max_size=4, unique=True), max_size=4)
+    ):
+        # On a finer grid, so that there is room; what does not fit is left out.
+        hole = [hpoint(mpq(x, 4), mpq(y, 4)) for x, y in corners]
+        if is_polygon([*rings, hole]):
+            rings.append(hole)
+    return oriented(rings)
