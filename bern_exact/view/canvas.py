@@ -129,6 +129,31 @@ class Window:
             and max(ys) >= self.bottom
         )
 
+    def clipped(self, ring: Sequence[XY]) -> list[XY]:
+        """A ring cut off well outside the window (Sutherland and Hodgman), rounded.
+
+        Numbers that are large to a renderer's short floats then never reach it; what
+        the cut itself draws lies outside the window.
+        """
+        low, high = self.left - self.width, self.left + 2 * self.width
+        kept = _cut(_cut(ring, 0, low, 1), 0, high, -1)
+        low, high = self.bottom - self.height, self.bottom + 2 * self.height
+        return _cut(_cut(kept, 1, low, 1), 1, high, -1)
+
+
+def _cut(ring: Sequence[XY], axis: int, bound: int, sign: int) -> list[XY]:
+    """The part of a ring on one side of an axis-parallel line."""
+    kept: list[XY] = []
+    for i, q in enumerate(ring):
+        p = ring[i - 1]
+        before, here = sign * (p[axis] - bound), sign * (q[axis] - bound)
+        if (before < 0 < here) or (here < 0 < before):
+            across = p[1 - axis] + (q[1 - axis] - p[1 - axis]) * before // (before - here)
+            kept.append((bound, across) if axis == 0 else (across, bound))
+        if here >= 0:
+            kept.append(q)
+    return kept
+
 
 def path_data(window: Window, rings: Iterable[Sequence[XY]], *, closed: bool = True) -> str:
     """SVG path data of rings (or open lines), in the window's units, relative after the start.

@@ -13,11 +13,11 @@ SCALES = {1000: ".001", 20: ".05"}
 """1 / detail as text, for the details in use."""
 
 COLOURS = {
-    "interior": ("#eef3f6", "#a9bac6"),
+    "interior": ("#eef3f6", "#b6c5cf"),
     "boundary": ("#f8e8c4", "#c9a657"),
     "block": ("#f3cda5", "#bf7f45"),
     "fan": ("#d5e8d0", "#7fa876"),
-    "mesh": ("#eef3f6", "#a9bac6"),
+    "mesh": ("#eef3f6", "#b6c5cf"),
 }
 """Fill and stroke of each class of triangles."""
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
+from bern_exact.exact.angles import largest_angle
 from bern_exact.exact.points import HPoint
 from bern_exact.exact.predicates import squared_height
 from bern_exact.plane.mesh import Mesh
@@ -23,6 +24,9 @@ MANY = 50_000
 
 HEIGHT_BITS = 12
 """A marked triangle's least height is at least 2^HEIGHT_BITS units of the rounded plane."""
+
+SLENDER = 20
+"""A triangle more slender than this is enlarged in part."""
 
 
 @dataclass(frozen=True)
@@ -85,16 +89,17 @@ def draw(
     whole = Window.fitting(scene.plane, *MAIN, detail)
     page = Page(whole, scene.present, len(marks))
     page.heading(title, subtitle)
-    page.whole(scene.paths(whole, range(len(mesh.triangles))))
+    page.whole(scene.whole(whole))
     for letter, mark in zip("AB", marks, strict=False):
         ring = scene.triangles[mark.triangle]
-        window = Window.centred(_middle(ring), _view_of(ring), INSET)
-        paths = scene.paths(window, scene.near(window))
-        paths.append((f"mark{letter}", path_data(window, [ring])))
+        focus = ring[largest_angle(*scene.corners(mark.triangle))[1]]
+        window = _view_of(ring, focus)
+        paths = scene.enlarged(window)
+        paths.append((f"mark{letter}", path_data(window, [window.clipped(ring)])))
         zoom = window.pixels * whole.width // (whole.pixels * window.width)
         heading = f"{mark.title}, enlarged {zoom:,}:1" if zoom > 1 else mark.title
         page.inset(letter, window, paths, (heading, mark.detail))
-        page.ring(letter, whole.at(_middle(ring)))
+        page.ring(letter, whole.at(focus))
     return page.text()
 
 
@@ -114,23 +119,38 @@ class _Scene:
         self.triangles = [(at[a], at[b], at[c]) for a, b, c in mesh.triangles]
         self._classes = ["mesh"] * len(self.triangles) if classes is None else classes
         found = set(self._classes)
+        self._mesh = mesh
         self.present = [name for name in CLASSES if name in found]
         self._outline: list[list[XY]] = []
         if polygon is not None:
             corners = self.plane.all(polygon.points)
             self._outline = [[corners[v] for v in ring] for ring in polygon.rings]
 
-    def near(self, window: Window) -> list[int]:
-        """The triangles that a window may show."""
-        return [i for i, ring in enumerate(self.triangles) if window.sees(ring)]
+    def corners(self, triangle: int) -> tuple[HPoint, HPoint, HPoint]:
+        """The exact corners of a triangle."""
+        a, b, c = self._mesh.triangles[triangle]
+        return self._mesh.vertices[a], self._mesh.vertices[b], self._mesh.vertices[c]
 
-    def paths(self, window: Window, indices: Iterable[int]) -> list[Path]:
-        """Paths of these triangles, a class at a time, and of the outline over them."""
+    def whole(self, window: Window) -> list[Path]:
+        """Everything, a class at a time, and the outline over it."""
+        return self._paths(window, range(len(self.triangles)), lambda ring: ring)
+
+    def enlarged(self, window: Window) -> list[Path]:
+        """What a window shows."""
+        near = [i for i, ring in enumerate(self.triangles) if window.sees(ring)]
+        return self._paths(window, near, window.clipped)
+
+    def _paths(
+        self,
+        window: Window,
+        indices: Iterable[int],
+        cut: Callable[[Sequence[XY]], Sequence[XY]],
+    ) -> list[Path]:
         rings: dict[str, list[Sequence[XY]]] = {name: [] for name in self.present}
         for i in indices:
-            rings[self._classes[i]].append(self.triangles[i])
+            rings[self._classes[i]].append(cut(self.triangles[i]))
         drawn = [(name, path_data(window, rings[name])) for name in self.present]
-        drawn.append(("outline", path_data(window, self._outline)))
+        drawn.append(("outline", path_data(window, map(cut, self._outline))))
         return [(name, data) for name, data in drawn if data]
 
 
@@ -148,13 +168,20 @@ def _plane_for(points: Sequence[HPoint], mesh: Mesh, marks: Sequence[Mark]) -> P
     return Plane.around(points, bits) if bits > PLANE_BITS else plane
 
 
-def _middle(ring: Sequence[XY]) -> XY:
-    """The middle of a bounding box."""
+def _view_of(ring: Sequence[XY], focus: XY) -> Window:
+    """A square that shows a triangle with some of what lies around it.
+
+    Of a needle, which would be a line as a whole, it shows the part round its widest angle.
+    """
     xs, ys = [x for x, _ in ring], [y for _, y in ring]
-    return (min(xs) + max(xs)) // 2, (min(ys) + max(ys)) // 2
+    low, high = (min(xs), min(ys)), (max(xs), max(ys))
+    extent = max(high[0] - low[0], high[1] - low[1], 1)
+    height = abs(_doubled_area(ring)) // extent
+    if extent <= SLENDER * height:
+        return Window.centred(((low[0] + high[0]) // 2, (low[1] + high[1]) // 2), 2 * extent, INSET)
+    return Window.centred(focus, SLENDER * max(height, 1), INSET)
 
 
-def _view_of(ring: Sequence[XY]) -> int:
-    """The side of a square that shows a triangle with some of what lies around it."""
-    xs, ys = [x for x, _ in ring], [y for _, y in ring]
-    return 2 * max(max(xs) - min(xs), max(ys) - min(ys))
+def _doubled_area(ring: Sequence[XY]) -> int:
+    (ax, ay), (bx, by), (cx, cy) = ring
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
