@@ -1,0 +1,128 @@
+"""Lemma 2: triangles near the boundary, angles within the blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from gmpy2 import mpq, mpz
+
+from bern_exact.boundary.records import BoundaryMesh, Node, WarpedFace
+from bern_exact.checkers import bounds
+from bern_exact.checkers.extremes import Extreme, Violations
+from bern_exact.checkers.findings import Finding
+from bern_exact.checkers.places import Places, cotangent, squared_height, squared_length
+
+STAGE = "boundary-mesh"
+
+NodeTriangle = tuple[Node, Node, Node]
+
+
+def check_lemma_2(mesh: BoundaryMesh, *, tau: mpq = bounds.TAU) -> list[Finding]:
+    """Check Lemma 2 (corner rule and height repaired) on every triangle near the boundary.
+
+    Parameters
+    ----------
+    mesh : BoundaryMesh
+        The warped faces and their triangles.
+    tau : mpq
+        The snapping threshold in grid units.
+
+    Notes
+    -----
+    An angle is compared by its cotangent, which is rational and falls as
+    the angle grows: 135 degrees is -1.  Linear time.
+    """
+    places = Places(mesh.warped)
+    untiled, largest, shortest = Violations(), Extreme(), Extreme()
+    block_height, height = Extreme(), Extreme()
+    for number, face in enumerate(mesh.faces):
+        untiled.case(tiles(face.ring, face.triangles), (number, face.ring))
+        if face.block >= 0:
+            _measure_block(number, face, places, largest, shortest)
+        least = block_height if face.block >= 0 else height
+        for p, q, r in face.triangles:
+            least.offer(*squared_height(places[p], places[q], places[r]), (number, (p, q, r)))
+    describe = places.describe
+    least_height = bounds.boundary_height_squared(tau)
+    return [
+        untiled.finding(
+            "lemma-2.tiles",
+            STAGE,
+            "the triangles of each face near the boundary fit together to the face",
+            describe=describe,
+        ),
+        largest.finding(
+            "lemma-2.block-angle",
+            STAGE,
+            "no angle in a block is above 135 degrees, with the repaired choice of corner "
+            "(least cotangent)",
+            bounds.BLOCK_COTANGENT,
+            describe=describe,
+        ),
+        shortest.finding(
+            "lemma-2.block-edges",
+            STAGE,
+            "every edge of a triangle in a block is at least tau long (squared, in b^2)",
+            bounds.edge_squared(tau),
+            describe=describe,
+        ),
+        block_height.finding(
+            "lemma-2.block-height",
+            STAGE,
+            "every triangle in a block has height at least tau/sqrt(2) (squared, in b^2)",
+            least_height,
+            describe=describe,
+        ),
+        height.finding(
+            "lemma-2.height",
+            STAGE,
+            "every other triangle near the boundary has height at least tau/sqrt(2) "
+            "(squared, in b^2)",
+            least_height,
+            describe=describe,
+        ),
+    ]
+
+
+def _measure_block(
+    number: int, face: WarpedFace, places: Places, largest: Extreme, shortest: Extreme
+) -> None:
+    """Angles and edges of a block face's triangles.
+
+    A clockwise or flat triangle counts as an angle of 180 degrees and more:
+    its cotangent is below any bound.
+    """
+    for triangle in face.triangles:
+        corners = [places[node] for node in triangle]
+        for i, apex in enumerate(corners):
+            before, after = corners[i - 1], corners[i - 2]
+            inner, area = cotangent(before, apex, after)
+            if area <= 0:
+                inner, area = -abs(inner) - 2, mpz(1)
+            largest.offer(inner, area, (number, triangle))
+            shortest.offer(*squared_length(apex, after), (number, triangle))
+
+
+def tiles(ring: Sequence[Node], triangles: Sequence[NodeTriangle]) -> bool:
+    """Do the triangles' directed edges cancel but for the ring, m - 2 triangles for m sides?
+
+    With counter-clockwise triangles that means that they tile the face.
+
+    >>> tiles((0, 1, 2, 3), [(0, 1, 2), (0, 2, 3)]), tiles((0, 1, 2, 3), [(0, 1, 2)])
+    (True, False)
+    """
+    if len(triangles) != len(ring) - 2:
+        return False
+    left = {(ring[i], ring[i - 1]) for i in range(len(ring))}
+    if len(left) != len(ring):
+        return False
+    for triangle in triangles:
+        for i, b in enumerate(triangle):
+            a = triangle[i - 1]
+            if (b, a) in left:
+                left.remove((b, a))
+            elif (a, b) in left:
+                return False
+            else:
+                left.add((a, b))
+    return not left
