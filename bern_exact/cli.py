@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import click
+from gmpy2 import mpq
 
 from bern_exact import __version__
-from bern_exact.api import NotInThisVersion, Result, load_polygon, triangulate
+from bern_exact.api import NotInThisVersion, Result, triangulate
 from bern_exact.checkers.findings import LemmaViolation
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
@@ -27,8 +29,12 @@ from bern_exact.report import (
     facts_lines,
     verdict_lines,
 )
+from bern_exact.theorems.stages import Check
 from bern_exact.trace import Trace
 from bern_exact.view.triangulation import draw_triangulation
+
+STAGES = 10
+"""How many stages the progress bar expects."""
 
 SOURCE = click.Path(exists=True, dir_okay=False, path_type=Path)
 TARGET = click.Path(path_type=Path, dir_okay=False)
@@ -45,28 +51,19 @@ output_option = click.option("-o", "--output", type=TARGET, help="Write the resu
 svg_option = click.option("--svg", type=TARGET, help="Draw the mesh.")
 
 
-class RationalOption(click.ParamType):
-    """An exact rational on the command line."""
+Parser = Callable[[click.Context, click.Parameter, str | None], Any]
 
-    name = "rational"
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+def parsed_by(parse: Callable[[str], Any]) -> Parser:
+    """An option's text as a value; what cannot be parsed is wrong usage."""
+
+    def convert(context: click.Context, option: click.Parameter, text: str | None) -> Any:
         try:
-            return parse_rational(value)
+            return None if text is None else parse(text)
         except InputError as error:
-            self.fail(error.message, param, ctx)
+            raise click.BadParameter(error.message, context, option) from None
 
-
-class AngleOption(click.ParamType):
-    """An angle bound: decimal degrees or `cos:S:p/q`."""
-
-    name = "angle"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        try:
-            return parse_angle_bound(value)
-        except InputError as error:
-            self.fail(error.message, param, ctx)
+    return convert
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -98,7 +95,7 @@ def cli() -> None:
 def triangulate_command(
     polygon: Path,
     theorem: str | None,
-    check: str,
+    check: Check,
     as_printed: bool,
     trace: Path | None,
     output: Path | None,
@@ -110,9 +107,9 @@ def triangulate_command(
 
     The mesh goes to stdout or the file of -o; with -o, stdout gets a summary.
     """
-    shape = load_polygon(polygon, numbers=numbers)
+    shape = Polygon.load(polygon, numbers=numbers)
     tracer = Trace(trace) if trace else None
-    with Progress() as progress:
+    with Progress(STAGES) as progress:
         if tracer:
             progress.follow(tracer.stage)
         try:
@@ -152,8 +149,12 @@ def _hand_over(result: Result, output: Path | None, as_json: bool) -> None:
 @cli.command("verify")
 @click.argument("mesh", type=SOURCE)
 @click.option("--polygon", type=SOURCE, help="What it should triangulate.")
-@click.option("--max-angle", type=AngleOption(), help="Degrees (149.5) or cos:S:p/q.")
-@click.option("--min-height-squared", type=RationalOption(), help="A bound on every height.")
+@click.option(
+    "--max-angle", callback=parsed_by(parse_angle_bound), help="Degrees (149.5) or cos:S:p/q."
+)
+@click.option(
+    "--min-height-squared", callback=parsed_by(parse_rational), help="A bound on every height."
+)
 @click.option("--max-triangles", type=click.IntRange(min=0), help="A bound on their number.")
 @click.option(
     "--limit", type=click.IntRange(min=0), default=100, show_default=True, help="Defects listed."
@@ -166,7 +167,7 @@ def verify_command(
     mesh: Path,
     polygon: Path | None,
     max_angle: AngleBound | None,
-    min_height_squared: Any,
+    min_height_squared: mpq | None,
     max_triangles: int | None,
     limit: int,
     output: Path | None,
@@ -179,7 +180,7 @@ def verify_command(
     Exit code 0 if it is and keeps every bound asked for, 1 if not.
     """
     found, own = read_mesh_file(mesh, binary64=numbers == "binary64")
-    target = load_polygon(polygon, numbers=numbers) if polygon else own
+    target = Polygon.load(polygon, numbers=numbers) if polygon else own
     verdict = verify_mesh(
         found,
         target,
@@ -216,7 +217,7 @@ def _draw_if_possible(svg: Path, mesh: Mesh, polygon: Polygon | None) -> None:
 @json_option
 def facts_command(polygon: Path, output: Path | None, numbers: str, as_json: bool) -> int:
     """The exact sizes of POLYGON, and the bound that they put on any triangulation."""
-    facts = facts_of(load_polygon(polygon, numbers=numbers))
+    facts = facts_of(Polygon.load(polygon, numbers=numbers))
     if output:
         emit_json(facts.to_json(), output)
     if as_json:

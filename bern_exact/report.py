@@ -14,6 +14,10 @@ from bern_exact.checkers.findings import Finding
 from bern_exact.exact.numbers import format_rational
 from bern_exact.facts import Facts
 from bern_exact.figures import degrees, enclosed, root, shortened
+from bern_exact.oracle.verdict import Verdict
+
+ANGLE_WORDS = ("up to 60", "90", "120", "135", "150", "above")
+"""The classes of a verdict's triangles by their largest angle, in order."""
 
 FILE_WIDTH = 132
 """Columns, where the output is no terminal."""
@@ -66,6 +70,22 @@ def certificate_lines(certificate: Certificate) -> list[str]:
         f"largest angle {degrees(certificate.max_angle)} degrees",
         f"{kept} of {guarantees} guarantees checked and kept",
     ]
+
+
+def verdict_lines(verdict: Verdict) -> list[str]:
+    """What a judge found, a line each: the verdict, the figures, the defects."""
+    lines = [f"{'valid' if verdict.valid else 'not valid'}: {verdict.triangles:,} triangles,"]
+    lines[0] += f" {verdict.vertices:,} vertices"
+    if verdict.max_angle is not None and verdict.min_height_squared is not None:
+        lines += [
+            f"largest angle {degrees(verdict.max_angle)} degrees,"
+            f" triangle {verdict.max_angle_triangle}",
+            f"least height {root(verdict.min_height_squared)},"
+            f" triangle {verdict.min_height_triangle}",
+        ]
+        named = zip(ANGLE_WORDS, verdict.angle_classes.values(), strict=True)
+        lines.append("largest angles " + ", ".join(f"{word}: {k:,}" for word, k in named))
+    return lines + [f"{defect.kind}: {defect.message}" for defect in verdict.defects]
 
 
 def facts_lines(facts: Facts) -> list[str]:
