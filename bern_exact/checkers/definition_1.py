@@ -63,7 +63,7 @@ def check_definition_1(
     feature: FeatureSize,
     *,
     claim: str = "definition-1.feature-size",
-    stage: str = "input",
+    stage: str = "feature-size",
 ) -> list[Finding]:
     """Certify the feature size of a polygon (Definition 1).
 

@@ -211,13 +211,16 @@ def _check_covered(diced: Diced) -> Finding:
 def _by_line(
     diced: Diced, axis: int, intervals: tuple[Interval, ...]
 ) -> dict[int, tuple[list[mpq], list[mpq]]]:
-    """For each line the low and the high ends of its intervals, in the record's order."""
+    """For each line the low and the high ends of its intervals, increasing."""
     ends: dict[int, tuple[list[mpq], list[mpq]]] = defaultdict(lambda: ([], []))
     for line, low, high in intervals:
         for side, edge in enumerate((low, high)):
             j = diced.crossing_at.get((axis, line, edge))
             if j is not None:
                 ends[line][side].append(diced.crossings[j].at)
+    for sides in ends.values():
+        for side_ends in sides:
+            side_ends.sort()
     return ends
 
 

@@ -12,7 +12,7 @@ from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.places import Places, cotangent, squared_height, squared_length
 
-STAGE = "boundary-mesh"
+STAGE = "boundary"
 
 NodeTriangle = tuple[Node, Node, Node]
 

@@ -19,7 +19,7 @@ from bern_exact.interior.records import Rectilinear
 from bern_exact.plane.polygon import Polygon
 
 STAGE = "warped"
-FACES = "boundary-mesh"
+FACES = "boundary"
 
 Instance = tuple[int, int, int]
 Target = GridNode | Instance
