@@ -1,0 +1,188 @@
+"""What a judge says of a mesh: the verdict, and the defects behind it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from gmpy2 import mpq
+
+from bern_exact.exact.angle_bound import degrees_enclosure
+from bern_exact.exact.angles import Angle
+from bern_exact.exact.points import HPoint, coordinates
+
+DEFECTS = {
+    "index-out-of-range": "triangle {triangle} names a vertex that is not there",
+    "repeated-index": "triangle {triangle} names a vertex twice",
+    "duplicate-vertex": "vertex {vertex} is at the same point as vertex {first}",
+    "unused-vertex": "no triangle uses vertex {vertex}",
+    "degenerate-triangle": "the corners of triangle {triangle} lie on one line",
+    "clockwise-triangle": "triangle {triangle} runs clockwise",
+    "edge-used-twice": "triangles {triangles} lie on the same side of edge {edge}",
+    "polygon-vertex-missing": "the mesh has no vertex at polygon vertex {polygon_vertex}",
+    "boundary-vertex-off-edge": "boundary vertex {vertex} lies on no edge of the polygon",
+    "hanging-vertex": "vertex {vertex} lies inside edge {edge}",
+    "crossing-edges": "the boundary edges {edge} and {other} cross",
+    "boundary-not-simple": "the boundary edges {edge} and {other} cross",
+    "overlap": "{covered} triangles cover the same place at {point}",
+    "triangle-outside": "a triangle lies outside the polygon at {point}",
+    "hole-filled": "a triangle lies in a hole of the polygon at {point}",
+    "region-not-covered": "no triangle covers the polygon at {point}",
+    "angle-above-bound": "triangle {triangle} has an angle above {bound}",
+    "height-below-bound": "triangle {triangle} has a squared height below {bound}",
+    "too-many-triangles": "there are {triangles} triangles, more than {bound}",
+}
+"""The closed list of what can be wrong with a mesh, each kind with its sentence."""
+
+ANGLE_CLASSES = ("le60", "le90", "le120", "le135", "le150", "above")
+"""Triangles by their largest angle; each triangle with area is in the first class that fits."""
+
+
+@dataclass(frozen=True)
+class Defect:
+    """One thing that is wrong with a mesh.
+
+    Parameters
+    ----------
+    kind : str
+        A key of `DEFECTS`.
+    where : dict
+        `{"triangle": t}`, `{"vertex": v}` or `{"edge": [a, b]}` of the mesh,
+        `{"polygon_vertex": [ring, index]}` or `{"polygon_edge": [ring, index]}` of the polygon,
+        or nothing, if it is the mesh as a whole.
+    message : str
+        One sentence.
+    witness : dict
+        Exact values that show it, JSON-ready.
+    """
+
+    kind: str
+    where: dict[str, Any]
+    message: str
+    witness: dict[str, Any]
+
+    @staticmethod
+    def of(kind: str, where: dict[str, Any], witness: dict[str, Any]) -> Defect:
+        """A defect with the sentence of its kind."""
+        return Defect(kind, where, DEFECTS[kind].format(**where, **witness), witness)
+
+    def to_json(self) -> dict[str, Any]:
+        """The defect as an object of `verify --json`."""
+        return {
+            "kind": self.kind,
+            "where": self.where,
+            "message": self.message,
+            "witness": self.witness,
+        }
+
+
+class Findings:
+    """The first `limit` defects, and whether there is any at all."""
+
+    def __init__(self, limit: int) -> None:
+        self.limit = limit
+        self.valid = True
+        self.defects: list[Defect] = []
+
+    @property
+    def full(self) -> bool:
+        """Would another defect no longer be listed?"""
+        return len(self.defects) >= self.limit
+
+    def add(self, kind: str, where: dict[str, Any], witness: dict[str, Any]) -> None:
+        """Note a defect."""
+        self.valid = False
+        if not self.full:
+            self.defects.append(Defect.of(kind, where, witness))
+
+
+def point_json(p: HPoint) -> list[str]:
+    """A point as exact text."""
+    x, y = coordinates(p)
+    return [str(x), str(y)]
+
+
+@dataclass(frozen=True, repr=False)
+class Verdict:
+    """Whether a mesh is a triangulation within the bounds asked for; true if it is.
+
+    Parameters
+    ----------
+    valid : bool
+        There is no defect at all.
+    defects : tuple of Defect
+        The defects found, up to the limit asked for.
+    triangles, vertices : int
+        How many the mesh has.
+    max_angle : Angle or None
+        The largest angle of any triangle that has area; None if there is none.
+    max_angle_triangle : int or None
+        The first triangle that has it.
+    min_height_squared : mpq or None
+        The least squared height of any triangle that has area.
+    min_height_triangle : int or None
+        The first triangle that has it.
+    angle_classes : dict
+        The number of triangles in each of `ANGLE_CLASSES`.
+    within_tolerance : bool or None
+        Whether the mesh is valid but for rounding on the boundary; None if that was not asked.
+    feature_size_squared : mpq or None
+        s^2 of the polygon (Definition 1); None if that was not asked.
+    """
+
+    valid: bool
+    defects: tuple[Defect, ...]
+    triangles: int
+    vertices: int
+    max_angle: Angle | None
+    max_angle_triangle: int | None
+    min_height_squared: mpq | None
+    min_height_triangle: int | None
+    angle_classes: dict[str, int]
+    within_tolerance: bool | None = field(default=None)
+    feature_size_squared: mpq | None = field(default=None)
+
+    def __bool__(self) -> bool:
+        return self.valid
+
+    def __repr__(self) -> str:
+        state = "valid" if self.valid else f"not valid, {len(self.defects)} defects listed"
+        lines = [f"<Verdict: {state}; {self.triangles} triangles, {self.vertices} vertices"]
+        if self.max_angle is not None and self.min_height_squared is not None:
+            low, high = degrees_enclosure(self.max_angle)
+            angle = low if low == high else f"{low}..{high}"
+            lines[0] += f", largest angle {angle}, least squared height {self.min_height_squared}"
+        lines += [f"  {defect.kind}: {defect.message}" for defect in self.defects[:5]]
+        if len(self.defects) > 5:
+            lines.append("  ...")
+        return "\n".join(lines) + ">"
+
+    def to_json(self) -> dict[str, Any]:
+        """The object of `verify --json`."""
+        angle: dict[str, Any] | None = None
+        if self.max_angle is not None:
+            angle = {**angle_json(self.max_angle), "triangle": self.max_angle_triangle}
+        return {
+            "valid": self.valid,
+            "within_tolerance": self.within_tolerance,
+            "defects": [defect.to_json() for defect in self.defects],
+            "triangles": self.triangles,
+            "vertices": self.vertices,
+            "max_angle": angle,
+            "min_height_squared": _text(self.min_height_squared),
+            "feature_size_squared": _text(self.feature_size_squared),
+            "angle_classes": self.angle_classes,
+        }
+
+
+def angle_json(angle: Angle) -> dict[str, Any]:
+    """An angle, exactly and in degrees."""
+    return {
+        "cos_sign": angle.cos_sign,
+        "cos_squared": str(angle.cos_squared),
+        "degrees": list(degrees_enclosure(angle)),
+    }
+
+
+def _text(value: mpq | None) -> str | None:
+    return None if value is None else str(value)
