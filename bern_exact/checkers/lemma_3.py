@@ -140,7 +140,7 @@ def _check_subdivisions(swept: Swept) -> Finding:
     )
 
 
-def faces_between_matches(item: SweptColumn) -> list[tuple[Sequence[int], Sequence[int]]]:
+def faces_between_matches(item: SweptColumn) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
     """The sides of the rectangles between heights that both sides of a column share.
 
     >>> column = SweptColumn(Column(0, 1, 0, 9), (0, 4, 5, 9), (0, 4, 9), ())
