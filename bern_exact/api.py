@@ -12,7 +12,8 @@ from gmpy2 import mpq
 
 from bern_exact.certificate import Certificate, extremes
 from bern_exact.counts import stage_counts
-from bern_exact.formats.mesh_json import dumps_mesh
+from bern_exact.formats import safe_json
+from bern_exact.formats.mesh_json import mesh_document
 from bern_exact.outputs import write_atomically
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
@@ -55,7 +56,7 @@ class Result:
     @cached_property
     def document(self) -> str:
         """The mesh document (`bern-exact/mesh`): the same bytes for the same input and options."""
-        return dumps_mesh(self.mesh, self.polygon, self.certificate.to_json())
+        return safe_json.dumps(mesh_document(self.mesh, self.polygon, self.certificate.to_json()))
 
     def save(self, path: str | Path) -> None:
         """Write the mesh document, whole or not at all."""

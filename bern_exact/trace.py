@@ -57,7 +57,7 @@ def plain(value: Any, known: Mapping[int, str]) -> Any:
     """A record as JSON values, nothing rounded.
 
     Rationals become text, points `["p/q", "p/q"]`, named tuples and records objects,
-    other mappings lists of pairs, sets sorted lists.
+    mappings with keys other than text lists of pairs, sets sorted lists.
 
     Parameters
     ----------
@@ -81,6 +81,8 @@ def plain(value: Any, known: Mapping[int, str]) -> Any:
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         fields = dataclasses.fields(value)
         return {f.name: plain(getattr(value, f.name), known) for f in fields}
+    if isinstance(value, Mapping) and all(isinstance(key, str) for key in value):
+        return {key: plain(v, known) for key, v in value.items()}
     if isinstance(value, Mapping):
         return [[plain(k, known), plain(v, known)] for k, v in value.items()]
     if isinstance(value, set | frozenset):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from os import PathLike
 
 from gmpy2 import mpq
 
@@ -40,6 +41,29 @@ class Polygon:
     points: tuple[HPoint, ...]
     rings: tuple[tuple[int, ...], ...]
     name: str = field(default="", compare=False)
+
+    @staticmethod
+    def load(path: str | PathLike[str], *, numbers: str = "decimal") -> Polygon:
+        """The polygon in a file, read and validated exactly.
+
+        Parameters
+        ----------
+        path : path
+            The format follows its suffix.
+        numbers : {"decimal", "binary64"}
+            Read a decimal as exactly that, or as the double nearest to it.
+
+        Raises
+        ------
+        InputError
+            If the file is not what it must be.
+        OSError
+            If it cannot be read.
+        """
+        # The one import upwards: users look for this name here, and formats need this class.
+        from bern_exact.formats import read_polygon_file
+
+        return read_polygon_file(path, binary64=numbers == "binary64")
 
     @property
     def n(self) -> int:
