@@ -16,9 +16,18 @@ from bern_exact.boundary.faces import trace
 from bern_exact.boundary.frame import Degenerate, frame
 from bern_exact.boundary.lop import lop
 from bern_exact.boundary.records import Diced, Framed, Lopped
+from bern_exact.checkers.definition_1 import check_definition_1
+from bern_exact.checkers.definition_2 import check_definition_2
+from bern_exact.checkers.dicing import check_dicing, check_frame
 from bern_exact.checkers.findings import Finding
+from bern_exact.checkers.lemma_1 import check_lemma_1
+from bern_exact.checkers.lemma_2 import check_lemma_2
+from bern_exact.checkers.lemma_3 import check_lemma_3
+from bern_exact.checkers.theorem_1 import check_theorem_1
+from bern_exact.checkers.warping import check_faces, check_warping
 from bern_exact.interior.rectilinear import interior
 from bern_exact.interior.sweep import sweep
+from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.feature_size import FeatureSize, feature_size
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.triangulation import triangulate_polygon
@@ -91,34 +100,62 @@ def theorem_1(
     triangulation = triangulate_polygon(polygon)
     feature = feature_size(polygon, triangulation)
     log.done("feature-size", feature)
+    if log.every_stage:
+        log.demand(check_definition_1(polygon, feature))
 
     lopped = lop(polygon, triangulation)
     log.done("lopped", lopped)
 
     diced = _dice_somewhere(lopped)
     log.done("framed", diced.framed)
+    if log.every_stage:
+        log.demand(check_lopped(diced.framed, feature))
+        log.demand(check_frame(diced.framed))
     log.done("diced", diced)
+    if log.every_stage:
+        log.demand(check_dicing(diced))
 
     traced, tracer = trace(diced)
     log.done("traced", traced)
 
     warped, warping = warp(traced, tracer)
     log.done("warped", warped)
+    if log.every_stage:
+        log.demand(check_warping(warped))
 
     boundary = triangulate_boundary(warped, warping, tracer)
     log.done("boundary", boundary)
+    if log.every_stage:
+        log.demand(check_lemma_2(boundary))
 
     region = interior(face.ring for face in boundary.touched)
     log.done("interior", region)
+    if log.every_stage:
+        log.demand(check_faces(boundary, region))
+        log.demand(check_definition_2(region))
 
     swept = sweep(region)
     log.done("swept", swept)
+    if log.every_stage:
+        log.demand(check_lemma_3(swept))
 
     assembled = assemble(
         boundary, [triangle for column in swept.columns for triangle in column.triangles]
     )
     log.done("mesh", assembled)
+    if check != "none":
+        verdict = verify_mesh(assembled.mesh, polygon)
+        log.demand(check_theorem_1(polygon, assembled.mesh, diced.framed, feature, verdict))
     return Construction(polygon, feature, diced.framed, assembled, log.records, log.findings)
+
+
+def check_lopped(framed: Framed, feature: FeatureSize) -> list[Finding]:
+    """Lemma 1, and Definition 1 for P', on which the grid unit rests."""
+    lopped = framed.lopped
+    certified = check_definition_1(
+        lopped.lopped, framed.feature, claim="definition-1.lopped", stage="framed"
+    )
+    return [*certified, *check_lemma_1(lopped, feature, framed.feature)]
 
 
 def _dice_somewhere(lopped: Lopped) -> Diced:
