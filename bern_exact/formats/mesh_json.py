@@ -1,0 +1,98 @@
+"""`bern-exact/mesh`, version 1: triangle meshes, their polygon and their certificate as JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from bern_exact.exact.numbers import JsonNumber, json_kind
+from bern_exact.formats import fields, safe_json
+from bern_exact.formats.polygon_json import dump_polygon, point_texts, read_polygon
+from bern_exact.plane.mesh import Mesh, Triangle
+from bern_exact.plane.polygon import Polygon
+
+FORMAT = "bern-exact/mesh"
+
+
+def load_mesh(source: safe_json.Source, *, binary64: bool = False) -> tuple[Mesh, Polygon | None]:
+    """The mesh in a JSON file or stream, and its polygon if it has one.
+
+    Raises
+    ------
+    InputError
+        The text is not JSON, or the document is refused by `read_mesh`.
+    OSError
+        The file cannot be read.
+    """
+    return read_mesh(safe_json.load(source), binary64=binary64)
+
+
+def read_mesh(document: Any, *, binary64: bool = False) -> tuple[Mesh, Polygon | None]:
+    """The mesh of a JSON document, and its polygon if it has one.
+
+    The mesh is not judged: an index may be out of range, a triangle clockwise or degenerate.
+
+    Parameters
+    ----------
+    document : object
+        A `bern-exact/mesh`.  Members other than `vertices`, `triangles` and `polygon` are
+        ignored.
+    binary64 : bool
+        Read each decimal as the double nearest to it, in the polygon too.
+
+    Raises
+    ------
+    InputError
+        Kind `schema`, `unsupported` or `number`, with the path; for the polygon as `read_polygon`.
+    """
+    document = fields.as_object(document, "$")
+    fields.check_format(document, FORMAT, "$")
+    points = fields.as_points(
+        fields.member(document, "vertices", "$"), "$.vertices", binary64=binary64
+    )
+    triangles = fields.as_list(fields.member(document, "triangles", "$"), "$.triangles")
+    mesh = Mesh(tuple(points), tuple(_triangle(t, i) for i, t in enumerate(triangles)))
+    polygon = document.get("polygon")
+    if polygon is None:
+        return mesh, None
+    return mesh, read_polygon(polygon, binary64=binary64, path="$.polygon")
+
+
+def _triangle(value: Any, number: int) -> Triangle:
+    """A triangle: three integers, whatever they are."""
+    path = f"$.triangles[{number}]"
+    indices = fields.as_list(value, path)
+    if len(indices) != 3:
+        raise fields.refuse("schema", f"a triangle has 3 indices, not {len(indices)}", path)
+    for k, index in enumerate(indices):
+        if isinstance(index, JsonNumber):
+            raise fields.refuse("number", "the number is not an index", f"{path}[{k}]")
+        if type(index) is not int:
+            message = f"an integer is expected, not {json_kind(index)}"
+            raise fields.refuse("schema", message, f"{path}[{k}]")
+    a, b, c = indices
+    return a, b, c
+
+
+def mesh_document(
+    mesh: Mesh, polygon: Polygon | None = None, certificate: Mapping[str, Any] | None = None
+) -> dict[str, Any]:
+    """The document of a mesh, without `polygon` or `certificate` if there is none."""
+    document: dict[str, Any] = {
+        "format": FORMAT,
+        "version": 1,
+        "vertices": point_texts(mesh.vertices),
+        "triangles": [list(triangle) for triangle in mesh.triangles],
+    }
+    if polygon is not None:
+        document["polygon"] = dump_polygon(polygon)
+    if certificate is not None:
+        document["certificate"] = dict(certificate)
+    return document
+
+
+def dumps_mesh(
+    mesh: Mesh, polygon: Polygon | None = None, certificate: Mapping[str, Any] | None = None
+) -> str:
+    """The text of a mesh's document, the same bytes always; one vertex and one triangle a line."""
+    return safe_json.dumps(mesh_document(mesh, polygon, certificate))
