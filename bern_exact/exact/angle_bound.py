@@ -160,6 +160,7 @@ def _cosine_sum(x: mpq, bits: int, *, odd: bool) -> mpq:
     return total
 
 
+@lru_cache(maxsize=16)
 def _pi_bounds(bits: int) -> tuple[mpq, mpq]:
     """Rationals around pi, by Machin's formula 16 arctan(1/5) - 4 arctan(1/239)."""
     one = mpz(1) << bits

@@ -162,4 +162,4 @@ def _rings(value: Mapping[str, Any] | Iterable[Any]) -> list[list[HPoint]]:
 
 def _is_pair(value: Any) -> bool:
     """Is this a point rather than a coordinate?"""
-    return not isinstance(value, str) and (isinstance(value, Iterable) or hasattr(value, "tolist"))
+    return isinstance(value, Iterable) and not isinstance(value, str)

@@ -248,6 +248,16 @@ def conflicts(at: Sequence[Point], sides: Sequence[Side]) -> list[tuple[str, int
 
 
 @functools.cache
+def scaled_pi(bits: int) -> int:
+    """pi 2^bits, with an error below 20 bits: Machin; each of < bits terms is < 1 too small."""
+    pi, one = 0, 1 << bits
+    for factor, base in ((16, 5), (-4, 239)):
+        powers = ((k, one // base ** (2 * k + 1) // (2 * k + 1)) for k in range(bits))
+        pi += factor * sum(-term if k % 2 else term for k, term in powers)
+    return pi
+
+
+@functools.lru_cache(4096)
 def enclosure(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
     """Bounds of cos |cos| of so many degrees, 0 to 180: equal for multiples of 30 and 45."""
     if degrees > 90:
@@ -255,10 +265,7 @@ def enclosure(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
         return -high, -low
     if degrees in KNOWN:
         return KNOWN[int(degrees)], KNOWN[int(degrees)]
-    one, pi = 1 << bits, 0
-    for factor, base in ((16, 5), (-4, 239)):  # Machin; each of < bits terms is < 1 too small
-        powers = ((k, one // base ** (2 * k + 1) // (2 * k + 1)) for k in range(bits))
-        pi += factor * sum(-term if k % 2 else term for k, term in powers)
+    one, pi = 1 << bits, scaled_pi(bits)
     bounds = []
     for error, parity in ((20 * bits, 1), (-20 * bits, 0)):
         x = Fraction(int(degrees * (pi + error) / 180) + parity, one)  # rounded outwards

@@ -1,0 +1,80 @@
+"""The two judges, which share no code, say the same, word for word."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import pytest
+from gmpy2 import mpq
+
+from bern_exact.exact.angle_bound import parse_angle_bound
+from bern_exact.oracle import judge as lone
+from bern_exact.oracle import verdict
+from bern_exact.oracle.fast import verify_mesh
+from tests.oracle.meshes import Case, damage, garbage, good
+
+
+def both(case: Case, **bounds: Any) -> dict[str, Any]:
+    """The one verdict of both judges."""
+    angle, height = bounds.get("max_angle"), bounds.get("min_height_squared")
+    fast = verify_mesh(
+        case.mesh(),
+        case.polygon(),
+        max_angle=None if angle is None else parse_angle_bound(angle),
+        min_height_squared=None if height is None else mpq(height),
+        max_triangles=bounds.get("max_triangles"),
+        limit=bounds.get("limit", 100),
+    ).to_json()
+    slow = lone.judge(case.document(), **bounds)
+    assert fast == slow
+    assert list(fast) == list(slow)
+    return slow
+
+
+def random_bounds(rng: random.Random) -> dict[str, Any]:
+    bounds: dict[str, Any] = {}
+    if rng.random() < 0.3:
+        angles = ["60", "89.5", "90", "120.25", "135", "cos:-1:9/25", "cos:1:1/5", "150", "170.001"]
+        bounds["max_angle"] = rng.choice(angles)
+    if rng.random() < 0.2:
+        bounds["min_height_squared"] = rng.choice(["0", "1/2", "1/50", "0.3"])
+    if rng.random() < 0.2:
+        bounds["max_triangles"] = rng.randint(0, 20)
+    if rng.random() < 0.2:
+        bounds["limit"] = rng.randint(0, 3)
+    return bounds
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_on_good_meshes_that_both_accept(seed: int) -> None:
+    rng = random.Random(seed)
+    for _ in range(10):
+        case = good(rng)
+        assert both(case)["valid"]
+        case.rings = []
+        assert both(case)["valid"]
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_on_damaged_meshes(seed: int) -> None:
+    rng = random.Random(1000 + seed)
+    for _ in range(30):
+        case = good(rng)
+        for _ in range(rng.randint(1, 3)):
+            damage(case, rng)
+        both(case, **random_bounds(rng))
+        case.rings = []
+        both(case, **random_bounds(rng))
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_on_garbage(seed: int) -> None:
+    rng = random.Random(2000 + seed)
+    for _ in range(40):
+        both(garbage(rng), **random_bounds(rng))
+
+
+def test_in_their_sentences() -> None:
+    assert lone.DEFECTS == verdict.DEFECTS
+    assert (*lone.CLASSES, "above") == verdict.ANGLE_CLASSES
