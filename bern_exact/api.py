@@ -68,6 +68,7 @@ def triangulate(
     *,
     theorem: int | None = None,
     check: Check = "every-stage",
+    as_printed: bool = False,
     observer: Observer | None = None,
 ) -> Result:
     """Triangulate a polygon by a theorem's construction, every claim checked on the way.
@@ -82,6 +83,8 @@ def triangulate(
         for a simple polygon and 3 for one with holes.
     check : {"every-stage", "final", "none"}
         Which claims are checked: each after its stage, the theorem's own at the end, or none.
+    as_printed : bool
+        Also evaluate the paper's sentences that are false as printed; takes its own time.
     observer : Observer, optional
         Told of each stage's record as soon as it is there.
 
@@ -110,7 +113,8 @@ def triangulate(
     construct = THEOREMS.get(theorem or (3 if polygon.holes else 2))
     if construct is None:
         raise NotInThisVersion(_refusal(polygon, theorem))
-    made = construct(polygon, check=check, observer=observer)
+    extra = {"as_printed": True} if as_printed else {}
+    made = construct(polygon, check=check, observer=observer, **extra)
     return _result(made, theorem or (3 if polygon.holes else 2))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gmpy2 import mpq, mpz
+from gmpy2 import mpq
 
 from bern_exact.checkers.findings import Exact
 from bern_exact.exact.angles import Angle
@@ -20,68 +20,78 @@ LONGEST = 12
 
 
 def shortened(value: Exact) -> str:
-    """An exact value for people: itself if short, else decimals that enclose it.
+    """An exact value for people: itself if short, else its first digits.
 
     >>> shortened(20640), shortened("1/128"), shortened("1234567/89101112131415")
-    ('20,640', '1/128', '[1.38557e-8, 1.38558e-8]')
+    ('20,640', '1/128', '1.38557...e-8')
     """
     if value is None:
         return "-"
-    if isinstance(value, int):
-        return f"{value:,}"
     if isinstance(value, dict):
         return f"[{value['lower'][:LONGEST]}, {value['upper'][:LONGEST]}]"
+    if isinstance(value, int) or (value.isdecimal() and len(value) <= LONGEST):
+        return f"{int(value):,}"
     if len(value) <= LONGEST:
         return value
     try:
-        return enclosed(parse_rational(value))
+        return digits_of(parse_rational(value))
     except InputError:
         return value
 
 
-def enclosed(value: mpq, digits: int = DIGITS) -> str:
-    """Decimals of so many significant digits that enclose a rational; one if it is exact.
+def digits_of(value: mpq, digits: int = DIGITS) -> str:
+    """The first significant digits of a rational, none of them rounded; dots if more follow.
 
-    >>> enclosed(mpq(1, 3)), enclosed(mpq(-5, 4)), enclosed(mpq(10) ** 30 + 1)
-    ('[0.333333, 0.333334]', '-1.25', '[1e30, 1.00001e30]')
+    >>> digits_of(mpq(1, 3)), digits_of(mpq(-5, 4)), digits_of(mpq(10) ** 30 + 1)
+    ('0.333333...', '-1.25', '1.00000...e30')
     """
     if value == 0:
         return "0"
+    size = abs(value)
     # The exponent of the first digit is this or one less.
-    exponent = value.numerator.num_digits() - value.denominator.num_digits()
-    if abs(value) < mpq(10) ** exponent:
+    exponent = size.numerator.num_digits() - size.denominator.num_digits()
+    if size < mpq(10) ** exponent:
         exponent -= 1
-    scaled = value * mpq(10) ** (digits - 1 - exponent)
-    low = scaled.numerator // scaled.denominator
-    if low == scaled:
-        return _decimal(low, exponent, digits)
-    return f"[{_decimal(low, exponent, digits)}, {_decimal(low + 1, exponent, digits)}]"
+    scaled = size * mpq(10) ** (digits - 1 - exponent)
+    mantissa = str(scaled.numerator // scaled.denominator)
+    shown = _placed(mantissa, exponent, is_exact=scaled.denominator == 1)
+    return f"-{shown}" if value < 0 else shown
 
 
-def _decimal(mantissa: mpz, exponent: int, digits: int) -> str:
-    """mantissa 10^(exponent + 1 - digits) as a decimal, with an exponent if it is far from 1."""
-    sign, text = "-" if mantissa < 0 else "", str(abs(mantissa))
-    exponent += len(text) - digits  # a mantissa rounded up to 10^digits has one digit more
-    if -4 <= exponent < digits:
-        whole = text[: exponent + 1] if exponent >= 0 else "0"
-        part = text[exponent + 1 :] if exponent >= 0 else "0" * (-exponent - 1) + text
-        suffix = ""
+def _placed(mantissa: str, exponent: int, *, is_exact: bool) -> str:
+    """Digits with their point, the first of them worth 10^exponent."""
+    suffix = ""
+    if -5 < exponent < 0:
+        whole, part = "0", "0" * (-exponent - 1) + mantissa
+    elif 0 <= exponent < len(mantissa):
+        whole, part = mantissa[: exponent + 1], mantissa[exponent + 1 :]
     else:
-        whole, part, suffix = text[0], text[1:], f"e{exponent}"
-    part = part.rstrip("0")
-    return f"{sign}{whole}{'.' + part if part else ''}{suffix}"
+        whole, part, suffix = mantissa[0], mantissa[1:], f"e{exponent}"
+    part = part.rstrip("0") if is_exact else part
+    number = f"{whole}.{part}" if part else whole
+    return f"{number}{'' if is_exact else '...'}{suffix}"
 
 
-def degrees(angle: Angle, digits: int = DIGITS) -> str:
+def degrees(angle: Angle) -> str:
     """An angle in degrees, for people."""
-    return _bounds(degrees_enclosure(angle, digits))
+    return _shared(degrees_enclosure(angle))
 
 
-def root(squared: mpq, digits: int = DIGITS) -> str:
+def root(squared: mpq) -> str:
     """A length given by its square, for people."""
-    return _bounds(sqrt_enclosure(squared, digits))
+    return _shared(sqrt_enclosure(squared))
 
 
-def _bounds(pair: Sequence[str]) -> str:
-    lower, upper = pair
-    return lower if lower == upper else f"[{lower}, {upper}]"
+def _shared(bounds: Sequence[str]) -> str:
+    """What certified decimal bounds of a positive number say of its first digits."""
+    lower, upper = map(parse_rational, bounds)
+    return digits_of(lower) if lower == upper else _common(lower, upper)
+
+
+def _common(lower: mpq, upper: mpq) -> str:
+    """The longest first digits, dots after them, that both ends of an interval share."""
+    for digits in range(DIGITS, 1, -1):
+        low, high = (digits_of(end, digits).replace("...", "") for end in (lower, upper))
+        if low == high:
+            return digits_of((lower + upper) / 2, digits)
+    return f"[{digits_of(lower)}, {digits_of(upper)}]"

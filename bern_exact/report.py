@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from gmpy2 import mpq
+from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
@@ -13,7 +14,7 @@ from bern_exact.certificate import Certificate
 from bern_exact.checkers.findings import Finding
 from bern_exact.exact.numbers import format_rational
 from bern_exact.facts import Facts
-from bern_exact.figures import degrees, enclosed, root, shortened
+from bern_exact.figures import degrees, digits_of, root, shortened
 from bern_exact.oracle.verdict import Verdict
 
 ANGLE_WORDS = ("up to 60", "90", "120", "135", "150", "above")
@@ -30,22 +31,26 @@ def console() -> Console:
 
 
 def claims_table(claims: Iterable[Finding]) -> Table:
-    """The table of claims: claim, cases, measured, bound, holds."""
-    table = Table(title="Claims, each checked exactly", title_justify="left", box=None)
-    table.add_column("claim", no_wrap=True)
-    for heading in ("cases", "measured", "bound"):
-        table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("holds", no_wrap=True)
-    table.add_column("what is claimed", ratio=1)
-    for claim in claims:
-        table.add_row(
-            claim.claim,
-            f"{claim.cases:,}",
+    """The table of claims: claim, cases, measured, bound, holds; a line each."""
+    rows = [
+        (
+            Text(claim.claim),
+            Text(f"{claim.cases:,}"),
             Text(shortened(claim.measured)),
             Text(shortened(claim.bound)),
             _holds(claim),
             Text(claim.statement),
         )
+        for claim in claims
+    ]
+    table = Table(title="Claims, each checked exactly", title_justify="left", box=SIMPLE_HEAD)
+    for i, heading in enumerate(("claim", "cases", "measured", "bound", "holds")):
+        # A width of its own, or rich would shorten these for the sake of the sentence.
+        width = max(len(heading), *(len(row[i]) for row in rows))
+        table.add_column(heading, width=width, justify="right" if 0 < i < 4 else "left")
+    table.add_column("what is claimed", no_wrap=True)
+    for row in rows:
+        table.add_row(*row)
     return table
 
 
@@ -60,9 +65,10 @@ def certificate_lines(certificate: Certificate) -> list[str]:
     """A few lines that say what was made."""
     kept = sum(claim.holds for claim in certificate.claims if claim.role == "guarantee")
     guarantees = sum(claim.role == "guarantee" for claim in certificate.claims)
-    per_vertex = enclosed(mpq(certificate.triangles, certificate.n), 3)
+    per_vertex = digits_of(mpq(certificate.triangles, certificate.n), 3)
+    holes = f"{certificate.holes:,} hole{'' if certificate.holes == 1 else 's'}"
     return [
-        f"Theorem {certificate.theorem}: {certificate.n:,} vertices, {certificate.holes:,} holes,"
+        f"Theorem {certificate.theorem}: {certificate.n:,} vertices, {holes},"
         f" {certificate.triangles:,} triangles ({per_vertex} a vertex)",
         f"least height {root(certificate.min_height_squared)},"
         f" {root(certificate.height_ratio_squared)} of the feature size"

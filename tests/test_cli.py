@@ -269,7 +269,7 @@ BAD_FILES: dict[str, tuple[bytes, str]] = {
     "a boolean": (b'{"outer": [[true, 0], [1, 0], [0, 1]]}', "number"),
     "a huge exponent": (b'{"outer": [[1e999999999, 0], [1, 0], [0, 1]]}', "number"),
     "a zero denominator": (b'{"outer": [["1/0", "0"], ["1", "0"], ["0", "1"]]}', "number"),
-    "another format": (b'{"format": "png", "outer": []}', "schema"),
+    "another format": (b'{"format": "png", "outer": []}', "unsupported"),
     "two vertices": (b'{"outer": [[0, 0], [1, 0]]}', "too-few-vertices"),
     "a bow": (b'{"outer": [[0, 0], [2, 2], [2, 0], [0, 2]]}', "edges-cross"),
 }

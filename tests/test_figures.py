@@ -1,4 +1,4 @@
-"""Shortened values enclose what they stand for."""
+"""Shortened values say nothing that is not so."""
 
 from __future__ import annotations
 
@@ -9,30 +9,43 @@ from gmpy2 import mpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bern_exact.figures import DIGITS, enclosed, shortened
+from bern_exact.figures import DIGITS, digits_of, root, shortened
 
 
 def ends(text: str) -> tuple[Fraction, Fraction]:
-    """The two ends of what people are shown."""
-    parts = text.strip("[]").split(", ")
-    return Fraction(parts[0]), Fraction(parts[-1])
+    """What the value may be, by the digits shown."""
+    if "..." not in text:
+        return Fraction(text), Fraction(text)
+    digits, _, exponent = text.partition("...")
+    power = Fraction(10) ** int(exponent.lstrip("e") or "0")
+    unit = Fraction(1, 10 ** len(digits.partition(".")[2]))
+    outward = -unit if digits.startswith("-") else unit
+    low, high = sorted((Fraction(digits), Fraction(digits) + outward))
+    return low * power, high * power
 
 
-@given(st.fractions())
-def test_the_value_lies_between_the_ends(value: Fraction) -> None:
-    low, high = ends(enclosed(mpq(value)))
-    assert low <= value <= high
+@given(st.fractions(), st.integers(-60, 60))
+def test_the_digits_are_those_of_the_value(value: Fraction, exponent: int) -> None:
+    scaled = value * Fraction(10) ** exponent
+    low, high = ends(digits_of(mpq(scaled)))
+    assert low <= scaled <= high
 
 
 @given(st.fractions().filter(bool), st.integers(-60, 60))
-def test_the_ends_are_a_unit_of_the_last_digit_apart(value: Fraction, exponent: int) -> None:
+def test_there_are_as_many_digits_as_promised(value: Fraction, exponent: int) -> None:
     scaled = value * Fraction(10) ** exponent
-    low, high = ends(enclosed(mpq(scaled)))
+    low, high = ends(digits_of(mpq(scaled)))
     assert high - low <= abs(scaled) / 10 ** (DIGITS - 1)
 
 
+@given(st.fractions(min_value=0).filter(bool))
+def test_a_root_squares_to_what_it_is_of(square: Fraction) -> None:
+    low, high = ends(root(mpq(square)))
+    assert low**2 <= square <= high**2
+
+
 def test_what_is_exact_at_that_length_is_shown_exactly() -> None:
-    assert enclosed(mpq(1, 8)) == "0.125"
+    assert digits_of(mpq(1, 8)) == "0.125"
 
 
 @given(st.fractions().filter(bool))
