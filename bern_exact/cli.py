@@ -24,9 +24,8 @@ from bern_exact.plane.polygon import Polygon
 from bern_exact.progress import Progress
 from bern_exact.report import (
     certificate_lines,
-    claims_table,
-    console,
     facts_lines,
+    print_claims,
     verdict_lines,
 )
 from bern_exact.theorems.stages import Check
@@ -129,7 +128,7 @@ def triangulate_command(
     if svg:
         write_atomically(svg, draw_triangulation(result.mesh, result.polygon, result.classes))
     if result.certificate.claims:
-        console().print(claims_table(result.certificate.claims))
+        print_claims(result.certificate.claims)
     _hand_over(result, output, as_json)
     return 0
 

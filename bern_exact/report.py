@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 from gmpy2 import mpq
 from rich.box import SIMPLE_HEAD
@@ -20,8 +20,11 @@ from bern_exact.oracle.verdict import Verdict
 ANGLE_WORDS = ("up to 60", "90", "120", "135", "150", "above")
 """The classes of a verdict's triangles by their largest angle, in order."""
 
-FILE_WIDTH = 132
+FILE_WIDTH = 140
 """Columns, where the output is no terminal."""
+
+SHORTEST_SENTENCE = 24
+"""Claims are put in words only where so many characters of a line are left."""
 
 
 def console() -> Console:
@@ -30,8 +33,15 @@ def console() -> Console:
     return plain if plain.is_terminal else Console(stderr=True, width=FILE_WIDTH, highlight=False)
 
 
-def claims_table(claims: Iterable[Finding]) -> Table:
-    """The table of claims: claim, cases, measured, bound, holds; a line each."""
+def print_claims(claims: Sequence[Finding]) -> None:
+    """Print the table of claims to standard error: claim, cases, measured, bound, holds."""
+    out = console()
+    out.print(claims_table(claims, out.width))
+
+
+def claims_table(claims: Sequence[Finding], width: int) -> Table:
+    """The table of claims, a line each, in so many columns of characters."""
+    headings = ("claim", "cases", "measured", "bound", "holds")
     rows = [
         (
             Text(claim.claim),
@@ -39,18 +49,25 @@ def claims_table(claims: Iterable[Finding]) -> Table:
             Text(shortened(claim.measured)),
             Text(shortened(claim.bound)),
             _holds(claim),
-            Text(claim.statement),
         )
         for claim in claims
     ]
     table = Table(title="Claims, each checked exactly", title_justify="left", box=SIMPLE_HEAD)
-    for i, heading in enumerate(("claim", "cases", "measured", "bound", "holds")):
-        # A width of its own, or rich would shorten these for the sake of the sentence.
-        width = max(len(heading), *(len(row[i]) for row in rows))
-        table.add_column(heading, width=width, justify="right" if 0 < i < 4 else "left")
-    table.add_column("what is claimed", no_wrap=True)
-    for row in rows:
-        table.add_row(*row)
+    left = width - 4
+    for i, heading in enumerate(headings):
+        across = max(len(heading), *(len(row[i]) for row in rows))
+        table.add_column(
+            heading, min_width=across, no_wrap=True, justify="right" if 0 < i < 4 else "left"
+        )
+        left -= across + 2
+    if left < SHORTEST_SENTENCE:
+        for row in rows:
+            table.add_row(*row)
+        return table
+    # What is left of the line is for the claim in words, cut off where the line ends.
+    table.add_column("what is claimed", max_width=left, no_wrap=True)
+    for row, claim in zip(rows, claims, strict=True):
+        table.add_row(*row, Text(claim.statement[:left]))
     return table
 
 
