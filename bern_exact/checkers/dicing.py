@@ -42,13 +42,13 @@ def check_dicing(diced: Diced) -> list[Finding]:
     """
     n = diced.framed.polygon.n
     kept = Extreme(greatest=True)
-    kept.offer(len(diced.vertical) + len(diced.horizontal), n, None)
+    kept.offer(len(diced.vertical) + len(diced.horizontal), 1, {"n'": n})
     return [
         kept.finding(
             "dicing.intervals",
             STAGE,
             "at most 16 intervals of grid lines are kept per vertex of P'",
-            bounds.INTERVALS_A_VERTEX,
+            bounds.INTERVALS_A_VERTEX * n,
         ),
         _check_crossings(diced),
         _check_covered(diced),

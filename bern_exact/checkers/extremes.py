@@ -94,7 +94,7 @@ class Extreme:
             statement,
             role,
             exact(bound),
-            None if value is None else exact(value),
+            None if value is None else exact(value if isinstance(bound, mpq) else _whole(value)),
             self.cases,
             bool(holds),
             None if value is None else describe(self.witness),
@@ -137,6 +137,11 @@ class Violations:
         return Finding(
             claim, stage, statement, role, 0, self.count, self.cases, self.count == 0, witness
         )
+
+
+def _whole(value: mpq) -> mpq | int:
+    """A count as an int."""
+    return int(value) if value.denominator == 1 else value
 
 
 def exact(value: Integer | mpq) -> Exact:
