@@ -1,4 +1,4 @@
-"""Lawson's flips: from any triangulation of a polygon towards the constrained Delaunay one."""
+"""Lawson's flips: from any triangulation of a polygon to a constrained Delaunay one."""
 
 from __future__ import annotations
 
@@ -7,14 +7,8 @@ from collections.abc import Sequence
 from bern_exact.exact.points import HPoint, direction
 from bern_exact.exact.predicates import cross, dot
 
-FLIPS_PER_VERTEX = 64
-"""Flips stop after so many a vertex on average: they can be quadratic, and nothing needs them all.
 
-Only speed depends on it, of the explorations that walk the triangulation.
-"""
-
-
-def flip_towards_delaunay(points: Sequence[HPoint], origin: list[int], twin: list[int]) -> int:
+def make_delaunay(points: Sequence[HPoint], origin: list[int], twin: list[int]) -> int:
     """Flip edges that are not locally Delaunay, in place, and return the number of flips.
 
     Parameters
@@ -23,11 +17,15 @@ def flip_towards_delaunay(points: Sequence[HPoint], origin: list[int], twin: lis
         The vertices.
     origin, twin : list of int
         The half-edges, as in `Triangulation`; changed.  Edges without a twin stay.
+
+    Notes
+    -----
+    It ends: each flip lowers the lifted surface z = x^2 + y^2 over the triangulation, so no edge
+    comes back.  Then every edge is locally Delaunay, which makes the whole constrained Delaunay.
     """
     pending = [h for h, opposite in enumerate(twin) if h < opposite]
-    limit = FLIPS_PER_VERTEX * len(points)
     flips = 0
-    while pending and flips < limit:
+    while pending:
         h = pending.pop()
         g = twin[h]
         if g < 0:

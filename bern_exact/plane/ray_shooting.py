@@ -12,8 +12,12 @@ from itertools import groupby
 from gmpy2 import mpq
 
 from bern_exact.exact.points import HPoint, Line
-from bern_exact.exact.predicates import orientation
-from bern_exact.plane.status import count_below, rightward_lines
+from bern_exact.plane.status import (
+    beginning_edges,
+    count_below,
+    lexicographic_ranks,
+    rightward_lines,
+)
 
 Events = Iterator[tuple[mpq, list[int]]]
 
@@ -62,22 +66,69 @@ def edges_around(
             raise ValueError(f"edge {tail} is vertical")
     vertices = _by_x(xs)
     lines = rightward_lines(points, after, xs)
-    before = [0] * len(points)
-    for tail, head in enumerate(after):
-        before[head] = tail
+    before = _inverse(after)
     answers = [(-1, -1)] * len(queries)
     status: list[int] = []
     x, batch = next(vertices, (None, []))
     for query_x, asked in _by_x([mpq(q[0], q[2]) for q in queries]):
         while x is not None and x < query_x:
             for v in batch:
-                _pass_vertex(status, lines, points, v, before[v], after[v], xs)
+                position = count_below(status, lines, points[v])
+                _pass_vertex(status, position, points, v, before[v], after[v], xs)
             x, batch = next(vertices, (None, []))
         if x == query_x:
             raise ValueError(f"query {asked[0]} has the x of vertex {batch[0]}")
         for i in asked:
             answers[i] = _neighbours(status, lines, queries[i])
     return answers
+
+
+def edges_around_vertices(points: Sequence[HPoint], after: Sequence[int]) -> list[tuple[int, int]]:
+    """For each vertex the edges first met below and above it, other than its own.
+
+    Parameters
+    ----------
+    points, after
+        As for `edges_around`; here vertical edges are allowed.
+
+    Returns
+    -------
+    list of (int, int)
+        (below, above), by tail; -1 if there is none.  Edges at the vertex itself do not count,
+        on whichever side of them the ray runs.
+
+    Notes
+    -----
+    The vertical is turned infinitesimally, its upper end to the left, so that it meets no second
+    vertex and runs along no edge.  O(n log n).
+
+    Examples
+    --------
+    >>> from bern_exact.exact.points import grid_point
+    >>> square = [grid_point(0, 0), grid_point(2, 0), grid_point(2, 2), grid_point(0, 2)]
+    >>> edges_around_vertices(square, [1, 2, 3, 0])
+    [(-1, -1), (-1, 2), (-1, -1), (0, -1)]
+    """
+    order, rank = lexicographic_ranks(points)
+    lines = rightward_lines(points, after, rank)
+    before = _inverse(after)
+    answers = [(-1, -1)] * len(points)
+    status: list[int] = []
+    for v in order:
+        position = count_below(status, lines, points[v])
+        added = _pass_vertex(status, position, points, v, before[v], after[v], rank)
+        below = status[position - 1] if position else -1
+        beyond = position + added
+        answers[v] = below, status[beyond] if beyond < len(status) else -1
+    return answers
+
+
+def _inverse(after: Sequence[int]) -> list[int]:
+    """For each vertex the previous one along its ring."""
+    before = [0] * len(after)
+    for tail, head in enumerate(after):
+        before[head] = tail
+    return before
 
 
 def _by_x(xs: Sequence[mpq]) -> Events:
@@ -89,19 +140,17 @@ def _by_x(xs: Sequence[mpq]) -> Events:
 
 def _pass_vertex(
     status: list[int],
-    lines: Sequence[Line],
+    position: int,
     points: Sequence[HPoint],
     v: int,
     previous: int,
     following: int,
-    xs: Sequence[mpq],
-) -> None:
-    """Replace the edges that end at vertex v by those that begin there."""
-    beginning = [e for e, end in ((previous, previous), (v, following)) if xs[end] > xs[v]]
-    if len(beginning) == 2 and orientation(points[v], points[previous], points[following]) < 0:
-        beginning.reverse()
-    position = count_below(status, lines, points[v])
+    rank: Sequence[int] | Sequence[mpq],
+) -> int:
+    """Replace the edges that end at vertex v by those that begin there; how many these are."""
+    beginning = beginning_edges(points, v, previous, following, rank)
     status[position : position + 2 - len(beginning)] = beginning
+    return len(beginning)
 
 
 def _neighbours(status: Sequence[int], lines: Sequence[Line], q: HPoint) -> tuple[int, int]:

@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from gmpy2 import mpq
 
 from bern_exact.exact.points import HPoint, Line, line_through
+from bern_exact.exact.predicates import orientation
 
 
 def lexicographic_ranks(points: Sequence[HPoint]) -> tuple[list[int], list[int]]:
@@ -59,3 +60,23 @@ def count_below(status: Sequence[int], lines: Sequence[Line], p: HPoint) -> int:
         else:
             high = middle
     return low
+
+
+def beginning_edges(
+    points: Sequence[HPoint],
+    v: int,
+    previous: int,
+    following: int,
+    rank: Sequence[int] | Sequence[mpq],
+) -> list[int]:
+    """The edges at v that lead to a vertex of higher rank (or x), the lower one first.
+
+    Parameters
+    ----------
+    previous, following : int
+        The vertices before and after v along its ring; the edges at v are named `previous` and v.
+    """
+    beginning = [e for e, end in ((previous, previous), (v, following)) if rank[end] > rank[v]]
+    if len(beginning) == 2 and orientation(points[v], points[previous], points[following]) < 0:
+        beginning.reverse()
+    return beginning

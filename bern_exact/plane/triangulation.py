@@ -1,9 +1,7 @@
-"""A triangulation of a polygon by its own vertices: the map that visibility is explored on.
+"""A triangulation of a polygon by its own vertices: constrained Delaunay, exactly.
 
-Nothing in the paper needs it and no result depends on which triangulation it is: it lets
-`bern_exact.plane.visibility` and `bern_exact.plane.feature_size` look around a vertex without
-looking at the whole polygon.  Flips towards the constrained Delaunay triangulation keep what is
-near in the plane near in the map.
+It is constrained Delaunay: what a vertex sees nearby is joined to it, which
+`bern_exact.plane.visibility` and `bern_exact.plane.feature_size` prove and use.
 """
 
 from __future__ import annotations
@@ -14,9 +12,14 @@ from itertools import pairwise
 
 from bern_exact.exact.points import HPoint
 from bern_exact.exact.predicates import orientation
-from bern_exact.plane.flips import flip_towards_delaunay
+from bern_exact.plane.flips import make_delaunay
 from bern_exact.plane.polygon import Polygon
-from bern_exact.plane.status import count_below, lexicographic_ranks, rightward_lines
+from bern_exact.plane.status import (
+    beginning_edges,
+    count_below,
+    lexicographic_ranks,
+    rightward_lines,
+)
 
 
 @dataclass(frozen=True)
@@ -67,8 +70,9 @@ def triangulate_polygon(polygon: Polygon) -> Triangulation:
     """A triangulation of a valid polygon, with holes or without, by its vertices alone.
 
     Every triangle has positive area, also where the polygon has 180-degree vertices.  It is
-    the constrained Delaunay triangulation (one of them, if four points lie on a circle) unless
-    that takes more than `flips.FLIPS_PER_VERTEX` flips a vertex; it is a triangulation even then.
+    constrained Delaunay: the circle through a triangle's corners has no vertex inside that is
+    visible from inside the triangle (which of several such triangulations, if visible points lie
+    on one circle, depends on the input alone).
 
     Parameters
     ----------
@@ -77,13 +81,13 @@ def triangulate_polygon(polygon: Polygon) -> Triangulation:
 
     Notes
     -----
-    A sweep in O(n log n), then the flips.
+    A sweep in O(n log n), then Lawson's flips: quadratic at worst, a few a vertex as a rule.
     """
     corners: list[int] = []
     for triangle in _Sweep(polygon).triangles():
         corners.extend(triangle)
     twin = _twins(corners)
-    flip_towards_delaunay(polygon.points, corners, twin)
+    make_delaunay(polygon.points, corners, twin)
     leaving = [-1] * polygon.n
     for h, opposite in enumerate(twin):
         if opposite < 0:
@@ -147,7 +151,8 @@ class _Sweep:
         """Run the sweep."""
         for v in self.order:
             position = count_below(self.status, self.lines, self.points[v])
-            starting = self._starting(v)
+            previous, following = self.polygon.before[v], self.polygon.after[v]
+            starting = beginning_edges(self.points, v, previous, following, self.rank)
             ending = self.status[position : position + 2 - len(starting)]
             self.status[position : position + len(ending)] = starting
             if len(starting) == 2:
@@ -157,15 +162,6 @@ class _Sweep:
             else:
                 self._close(v, position, ending)
         return self.found
-
-    def _starting(self, v: int) -> list[int]:
-        """The edges that begin at v, the lower one first."""
-        previous, following = self.polygon.before[v], self.polygon.after[v]
-        rank, points = self.rank, self.points
-        starting = [e for e, end in ((previous, previous), (v, following)) if rank[end] > rank[v]]
-        if len(starting) == 2 and orientation(points[v], points[previous], points[following]) < 0:
-            starting.reverse()
-        return starting
 
     def _open(self, v: int, position: int, starting: list[int]) -> None:
         """Both edges begin at v: a new gap, or one gap split in two."""

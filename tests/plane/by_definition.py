@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from gmpy2 import mpq
 
-from bern_exact.exact.points import HPoint, coordinates
-from bern_exact.exact.predicates import orientation
+from bern_exact.exact.points import HPoint, along, coordinates
+from bern_exact.exact.predicates import orientation, squared_distance
+from bern_exact.plane.polygon import Polygon
 
 Rings = Sequence[Sequence[HPoint]]
 Edge = tuple[int, int]
@@ -113,3 +114,51 @@ def twice_area(ring: Sequence[HPoint]) -> mpq:
         (ax, ay), (bx, by) = coordinates(ring[i - 1]), coordinates(q)
         area += ax * by - bx * ay
     return area
+
+
+def sees(polygon: Polygon, p: HPoint, q: HPoint) -> bool:
+    """Does the closed segment from p to q, two boundary points, lie in the closed polygon?
+
+    It is cut at every edge's line; each piece lies in the polygon or outside as its middle does.
+    """
+    (px, py), (qx, qy) = coordinates(p), coordinates(q)
+    cuts = {mpq(0), mpq(1)}
+    for a, b, c in polygon.lines:
+        start, end = a * px + b * py + c, a * qx + b * qy + c
+        if start != end:
+            t = start / (start - end)
+            if 0 < t < 1:
+                cuts.add(t)
+    ordered = sorted(cuts)
+    return all(
+        is_within(polygon, along(p, q, (first + second) / 2)) for first, second in pairwise(ordered)
+    )
+
+
+def is_within(polygon: Polygon, p: HPoint) -> bool:
+    """Is p in the closed polygon?"""
+    rings = [[polygon.points[v] for v in ring] for ring in polygon.rings]
+    if any(on_segment(p, polygon.points[v], polygon.points[w]) for v, w in polygon.edges()):
+        return True
+    return encloses(rings[0], p) and not any(encloses(ring, p) for ring in rings[1:])
+
+
+def nearest_on(p: HPoint, a: HPoint, b: HPoint) -> HPoint:
+    """The point of the closed segment ab that is nearest to p."""
+    (px, py), (ax, ay), (bx, by) = coordinates(p), coordinates(a), coordinates(b)
+    t = ((px - ax) * (bx - ax) + (py - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2)
+    return along(a, b, min(max(t, mpq(0)), mpq(1)))
+
+
+def feature_size_by_definition(polygon: Polygon) -> tuple[mpq, int, int]:
+    """(s^2, vertex or -1, edge), the first in this order: all edges, all pairs that are seen."""
+    points = polygon.points
+    found = [(squared_distance(points[v], points[w]), -1, v) for v, w in polygon.edges()]
+    for v in range(polygon.n):
+        for e, head in polygon.edges():
+            if v not in (e, head):
+                foot = nearest_on(points[v], points[e], points[head])
+                pair = (squared_distance(points[v], foot), v, e)
+                if pair < min(found) and sees(polygon, points[v], foot):
+                    found.append(pair)
+    return min(found)
