@@ -48,9 +48,9 @@ def digits_of(value: mpq, digits: int = DIGITS) -> str:
     if value == 0:
         return "0"
     size = abs(value)
-    # The exponent of the first digit is this or one less.
-    exponent = size.numerator.num_digits() - size.denominator.num_digits()
-    if size < mpq(10) ** exponent:
+    # num_digits may be one too many: begin high enough and go down to the first digit's place.
+    exponent = size.numerator.num_digits() - size.denominator.num_digits() + 1
+    while size < mpq(10) ** exponent:
         exponent -= 1
     scaled = size * mpq(10) ** (digits - 1 - exponent)
     mantissa = str(scaled.numerator // scaled.denominator)

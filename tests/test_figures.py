@@ -38,6 +38,13 @@ def test_there_are_as_many_digits_as_promised(value: Fraction, exponent: int) ->
     assert high - low <= abs(scaled) / 10 ** (DIGITS - 1)
 
 
+@given(st.integers(1, 10**300), st.integers(1, 10**300))
+def test_long_fractions_are_shown_by_their_first_digits(p: int, q: int) -> None:
+    low, high = ends(digits_of(mpq(p, q)))
+    assert low <= Fraction(p, q) <= high
+    assert high - low <= Fraction(p, q) / 10 ** (DIGITS - 1)
+
+
 @given(st.fractions(min_value=0).filter(bool))
 def test_a_root_squares_to_what_it_is_of(square: Fraction) -> None:
     low, high = ends(root(mpq(square)))
