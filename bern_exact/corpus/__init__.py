@@ -1,0 +1,1 @@
+"""Families of polygons, as functions of their parameters and a seed."""
