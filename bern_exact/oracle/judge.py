@@ -21,12 +21,12 @@ to a side, and c = 0 far away: c is 0 or 1.  So interiors are disjoint and fill 
 Suppose a vertex v lay inside an edge ab of a triangle t.  The triangles at v (it is used) do not
 overlap t, so they fit in the half-plane beyond ab, and v is the end of a side.  So ab is no side,
 and the triangle across ab overlaps those at v: a contradiction.  So triangles meet in common
-vertices and common edges only.
+vertices and common edges only.  (In (a) the polygon's own vertices are asked for besides.)
 
-What follows a first defect is diagnosis: it names and places the rest as well as it can and
-decides nothing.  An angle is known by cos |cos|, a rational that falls as the angle grows.  Bounds
-in degrees are decided by certified enclosures, refined until they decide: the squared cosine of a
-rational number of degrees is irrational but for the multiples of 30 and 45 (Niven), taken exactly.
+What follows a first defect is diagnosis: it names and places the rest and decides nothing.  An
+angle is known by cos |cos|, a rational that falls as the angle grows.  Bounds in degrees are
+decided by certified enclosures, refined until they decide: the squared cosine of a rational number
+of degrees is irrational but for the multiples of 30 and 45 (Niven), which are taken exactly.
 """
 
 from __future__ import annotations
@@ -37,14 +37,12 @@ import json
 import re
 import sys
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 Point = tuple[Fraction, Fraction]
-Edge = tuple[int, int]
-Side = tuple[int, int, int]  # tail, head, how much more often used than its reverse
 Piece = tuple[Point, Point, int, dict[str, Any]]  # from, to, how often, whose
 Spot = tuple[Point, Point, Point]  # m, d, n: the point m + e n + e^2 d for all small e > 0
 
@@ -98,20 +96,19 @@ def number(value: object, place: str) -> Fraction:
     return Fraction(top, bottom * scale) if down else Fraction(top * scale, bottom)
 
 
-def points(value: object, place: str) -> list[Point]:
-    """A list of [x, y]."""
-    result = []
-    for i, pair in enumerate(items(value, place)):
-        x, y = items(pair, f"{place}[{i}]", 2)
-        result.append((number(x, f"{place}[{i}][0]"), number(y, f"{place}[{i}][1]")))
-    return result
-
-
 def items(value: object, place: str, length: int | None = None) -> Sequence[Any]:
     """A list, of this length."""
     if not isinstance(value, (list, tuple)) or length not in (None, len(value)):
         raise Unreadable(f"{place}: not a list" + (f" of {length}" if length else ""))
     return value
+
+
+def points(value: object, place: str) -> list[Point]:
+    """A list of [x, y]."""
+    pairs = [items(pair, f"{place}[{i}]", 2) for i, pair in enumerate(items(value, place))]
+    return [
+        (number(x, f"{place}[{i}]"), number(y, f"{place}[{i}]")) for i, (x, y) in enumerate(pairs)
+    ]
 
 
 def document(value: object, kind: str) -> dict[str, Any]:
@@ -122,45 +119,23 @@ def document(value: object, kind: str) -> dict[str, Any]:
     return value
 
 
-class Outline:
-    """A simple polygon: `sides` with the interior on the left, as many of them the `outer` ring's.
-
-    `names` has each vertex as [ring, index]; side i is the edge of the same name.
-    """
-
-    def __init__(self, value: object) -> None:
-        self.at: list[Point] = []
-        self.names: list[list[int]] = []
-        self.sides: list[Side] = []
-        polygon = document(value, "polygon")
-        for r, ring in enumerate([polygon.get("outer"), *items(polygon.get("holes", []), "holes")]):
-            self._add(r, points(ring, f"ring {r}"))
-        self.outer = sum(r == 0 for r, _ in self.names)
-        distinct = len(set(self.at)) == len(self.at)
-        if not distinct or conflicts(self.at, self.sides) or any(self._faults()):
-            raise Unreadable("the polygon is not simple, or a hole is not inside")
-
-    def _add(self, r: int, ring: list[Point]) -> None:
-        zero, first, n = (Fraction(), Fraction()), len(self.at), len(ring)
-        twice = sum(turn(zero, ring[i - 1], ring[i]) for i in range(n))
-        if n < 3 or twice == 0:
-            raise Unreadable(f"polygon: ring {r} has no area")
-        for i in range(n):
-            a, b = first + i, first + (i + 1) % n
-            self.sides.append((a, b, 1) if (twice > 0) == (r == 0) else (b, a, 1))
-        self.names += [[r, i] for i in range(n)]
-        self.at += ring
-
-    def _faults(self) -> Iterator[bool]:
-        for (a, b, _), name in zip(self.sides, self.names, strict=True):
-            if name[1] == 0:
-                spots = beside(self.at[a], self.at[b])
-                yield [winding(self.at, self.sides, spot) for spot in spots] != [1, 0]
-
-
-def text(p: Point) -> list[str]:
-    """A point for people and files."""
-    return [str(p[0]), str(p[1])]
+def read_polygon(value: object) -> tuple[list[Point], list[Piece], int]:
+    """A simple polygon: its vertices, its edges with the interior left, how many are outer."""
+    polygon, corners, edges, counts = document(value, "polygon"), list[Point](), list[Piece](), [0]
+    for r, ring in enumerate([polygon.get("outer"), *items(polygon.get("holes", []), "holes")]):
+        at = points(ring, f"ring {r}")
+        around = list(pairwise([*at, *at[:1]]))
+        forward = (sum(p[0] * q[1] - p[1] * q[0] for p, q in around) > 0) == (r == 0)
+        for i, (p, q) in enumerate(around):
+            edges.append((*((p, q) if forward else (q, p)), 1, {"polygon_edge": [r, i]}))
+        corners += at
+        counts.append(len(at))
+    starts = [edges[sum(counts[: r + 1])] for r, n in enumerate(counts[1:]) if n > 2]
+    covers = [winding(edges, spot) for p, q, *_ in starts for spot in beside(p, q)]
+    proper = covers == [1, 0] * (len(counts) - 1) and len(set(corners)) == len(corners)
+    if not proper or conflicts(edges):
+        raise Unreadable("the polygon is not simple, or a hole is not inside")
+    return corners, edges, counts[1]
 
 
 def turn(p: Point, q: Point, r: Point) -> Fraction:
@@ -174,16 +149,11 @@ def dot(p: Point, q: Point, r: Point) -> Fraction:
 
 
 def line(p: Point, q: Point) -> tuple[Fraction, ...]:
-    """The line through two points: the same for all pairs of its points."""
+    """The line through two points: the same for any two of its points."""
     if p[0] == q[0]:
         return (p[0],)
     slope = (q[1] - p[1]) / (q[0] - p[0])
     return slope, p[1] - slope * p[0]
-
-
-def is_on(p: Point, a: Point, b: Point) -> bool:
-    """Is p on the segment ab?"""
-    return min(a, b) <= p <= max(a, b) and turn(a, b, p) == 0
 
 
 def beside(p: Point, q: Point) -> Iterator[Spot]:
@@ -193,13 +163,11 @@ def beside(p: Point, q: Point) -> Iterator[Spot]:
     yield m, (x, y), (y, -x)
 
 
-def winding(at: Sequence[Point], sides: Iterable[Side], spot: Spot) -> int:
-    """How often the sides wind round a spot: those that the ray from it in direction +x meets."""
+def winding(pieces: Sequence[Piece], spot: Spot) -> int:
+    """How often the pieces wind round a spot: those that the ray from it in direction +x meets."""
     m, d, n = spot
-    above = (n[1] or d[1]) > 0
-    total = 0
-    for a, b, times in sides:
-        p, q = at[a], at[b]
+    above, total = (n[1] or d[1]) > 0, 0
+    for p, q, times, _ in pieces:
         if (p[1] <= m[1]) != (q[1] <= m[1]) if above else (p[1] < m[1]) != (q[1] < m[1]):
             x, y = q[0] - p[0], q[1] - p[1]
             left = turn(p, q, m) or x * n[1] - y * n[0] or x * d[1] - y * d[0]
@@ -208,56 +176,54 @@ def winding(at: Sequence[Point], sides: Iterable[Side], spot: Spot) -> int:
     return total
 
 
-def unmatched(pieces: list[Piece]) -> Iterator[tuple[dict[str, Any], Point, Point]]:
-    """The stretches of one line where sides overlap, or do not match the polygon's edges."""
-    net, sides = Counter[Point](), Counter[Point]()
-    for p, q, times, _ in pieces:
-        net[p] += times
-        net[q] -= times
-        if times > 0:
-            sides[min(p, q)] += times
-            sides[max(p, q)] -= times
+def unmatched(sides: list[Piece], edges: list[Piece]) -> Iterator[Piece]:
+    """The stretches of one line where sides overlap, or do not run where the edges do."""
+    net, cover = Counter[Point](), Counter[Point]()
+    for p, q, times, _ in sides:
+        net.update({p: times, q: -times})
+        cover.update({min(p, q): times, max(p, q): -times})
+    for p, q, times, _ in edges:
+        net.update({p: -times, q: times})
     for p, q in pairwise(sorted(net)):
         net[q] += net[p]
-        sides[q] += sides[p]
-        if net[p] or sides[p] > 1:
-            yield next(w for a, b, _, w in pieces if min(a, b) <= p and q <= max(a, b)), p, q
+        cover[q] += cover[p]
+        if net[p] or cover[p] > 1:
+            there = (w for a, b, _, w in sides + edges if min(a, b) <= p and q <= max(a, b))
+            yield p, q, 1, next(there)
 
 
-def conflicts(at: Sequence[Point], sides: Sequence[Side]) -> list[tuple[str, int, int]]:
-    """("crossing", i, j) for sides i < j, ("hanging", i, v) for a vertex v inside side i."""
-    found, active = set[tuple[str, int, int]](), list[int]()
-    boxes = [[sorted(c) for c in zip(at[a], at[b], strict=True)] for a, b, _ in sides]
-    for j in sorted(range(len(sides)), key=lambda j: boxes[j][0][0]):
+def conflicts(pieces: Sequence[Piece]) -> set[tuple[str, int, Any]]:
+    """("crossing", i, j) for pieces i < j, ("hanging", i, p) for an end p inside piece i."""
+    found, active = set[tuple[str, int, Any]](), list[int]()
+    boxes = [[sorted(c) for c in zip(p, q, strict=True)] for p, q, *_ in pieces]
+    for j in sorted(range(len(pieces)), key=lambda j: boxes[j][0][0]):
         (left, _), (low, high) = boxes[j]
         active = [i for i in active if boxes[i][0][1] >= left]
         for i in active:
             if boxes[i][1][0] <= high and low <= boxes[i][1][1]:
-                crossing = True
-                for k, (v, w, _) in ((i, sides[j]), (j, sides[i])):
-                    p, q = at[sides[k][0]], at[sides[k][1]]
-                    turns = turn(p, q, at[v]), turn(p, q, at[w])
-                    for u, side in zip((v, w), turns, strict=True):
-                        if side == 0 and dot(at[u], p, q) < 0:
+                turns = []
+                for k, other in (i, pieces[j]), (j, pieces[i]):
+                    p, q = pieces[k][:2]
+                    turns.append([turn(p, q, u) for u in other[:2]])
+                    for u, side in zip(other[:2], turns[-1], strict=True):
+                        if side == 0 and dot(u, p, q) < 0:
                             found.add(("hanging", k, u))
-                    crossing &= turns[0] * turns[1] < 0
-                if crossing:
+                if all(a * b < 0 for a, b in turns):
                     found.add(("crossing", min(i, j), max(i, j)))
         active.append(j)
-    return sorted(found)
+    return found
 
 
 @functools.cache
 def scaled_pi(bits: int) -> int:
-    """pi 2^bits, with an error below 20 bits: Machin; each of < bits terms is < 1 too small."""
+    """pi 2^bits, less than 20 bits off: Machin's series, each of < bits terms less than 1 off."""
     pi, one = 0, 1 << bits
-    for factor, base in ((16, 5), (-4, 239)):
-        powers = ((k, one // base ** (2 * k + 1) // (2 * k + 1)) for k in range(bits))
+    for factor, n in (16, 5), (-4, 239):
+        powers = ((k, one // n ** (2 * k + 1) // (2 * k + 1)) for k in range(bits))
         pi += factor * sum(-term if k % 2 else term for k, term in powers)
     return pi
 
 
-@functools.lru_cache(4096)
 def enclosure(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
     """Bounds of cos |cos| of so many degrees, 0 to 180: equal for multiples of 30 and 45."""
     if degrees > 90:
@@ -265,16 +231,14 @@ def enclosure(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
         return -high, -low
     if degrees in KNOWN:
         return KNOWN[int(degrees)], KNOWN[int(degrees)]
-    one, pi = 1 << bits, scaled_pi(bits)
-    bounds = []
-    for error, parity in ((20 * bits, 1), (-20 * bits, 0)):
-        x = Fraction(int(degrees * (pi + error) / 180) + parity, one)  # rounded outwards
-        k, term, total = 0, Fraction(1), Fraction(1)  # the terms alternate and fall from k = 1 on,
-        while term * one > 1 or k % 2 != parity:  # so a sum that ends in a minus is too small
-            k, term = k + 1, term * x * x / ((2 * k + 1) * (2 * k + 2))
-            total += -term if k % 2 else term
-        bounds.append(total * abs(total))
-    return bounds[0], bounds[1]
+    one, k = 1 << bits, 0
+    x = scaled_pi(bits) * degrees.numerator // (180 * degrees.denominator)  # < 11 bits off
+    term = total = one
+    while term:  # < bits terms, each less than 8 off; what is left out is less than 8
+        k, term = k + 1, term * x * x // (one * one * (2 * k + 1) * (2 * k + 2))
+        total += -term if k % 2 else term
+    low, high = (Fraction(total + error, one) for error in (-20 * bits, 20 * bits))
+    return low * abs(low), high * abs(high)
 
 
 def compare(square: Fraction, degrees: Fraction) -> int:
@@ -292,10 +256,8 @@ def angle(square: Fraction) -> dict[str, Any]:
     low, high = 0, 180 * 10**9
     while low < high:
         middle = (low + high + 1) // 2
-        if compare(square, Fraction(middle, 10**9)) < 0:
-            high = middle - 1
-        else:
-            low = middle
+        above = compare(square, Fraction(middle, 10**9)) >= 0
+        low, high = (middle, high) if above else (low, middle - 1)
     high += compare(square, Fraction(low, 10**9))
     shown = [f"{k // 10**9}.{k % 10**9:09}".rstrip("0").rstrip(".") for k in (low, high)]
     sign = (square > 0) - (square < 0)
@@ -319,28 +281,30 @@ def angle_bound(bound: str) -> Callable[[Fraction], bool]:
 class Judge:
     """A mesh before the court."""
 
-    def __init__(self, mesh: object, outline: Outline | None, limit: int) -> None:
+    def __init__(self, mesh: object, polygon: object, limit: int) -> None:
         content = document(mesh, "mesh")
         self.at = points(content.get("vertices"), "vertices")
-        self.triangles: list[tuple[int, int, int]] = []
-        for t, triple in enumerate(items(content.get("triangles"), "triangles")):
-            a, b, c = items(triple, f"triangles[{t}]", 3)
-            if [type(v) for v in (a, b, c)] != [int] * 3:
-                raise Unreadable(f"triangles[{t}]: not three vertex numbers")
-            self.triangles.append((a, b, c))
-        self.outline, self.limit = outline, limit
-        self.valid = True
+        self.triangles = [
+            items(t, "triangle", 3) for t in items(content.get("triangles"), "triangles")
+        ]
+        if not all(type(v) is int for corners in self.triangles for v in corners):
+            raise Unreadable("triangles: not vertex numbers")
+        polygon = content.get("polygon") if polygon is None else polygon
+        self.given = polygon is not None
+        self.corners, self.edges, self.outer = read_polygon(polygon) if self.given else ([], [], 0)
+        self.limit, self.valid = limit, True
         self.defects: list[dict[str, Any]] = []
-        self.sound: dict[int, tuple[int, int, int]] = {}  # the triangles with three vertices
+        self.sound: dict[int, Sequence[int]] = {}  # the triangles with three vertices
         self.first: dict[Point, int] = {}  # the first vertex at each point
-        self.sides: list[Side] = []  # the boundary
+        self.sides: list[Piece] = []
 
     def add(self, kind: str, where: dict[str, Any], **witness: Any) -> None:
         """Note a defect."""
         self.valid = False
         if len(self.defects) < self.limit:
-            message = DEFECTS[kind].format(**where, **witness)
-            entry = {"kind": kind, "where": where, "message": message, "witness": witness}
+            shown = {k: [*map(str, v)] if isinstance(v, tuple) else v for k, v in witness.items()}
+            message = DEFECTS[kind].format(**where, **shown)
+            entry = {"kind": kind, "where": where, "message": message, "witness": shown}
             self.defects.append(entry)
 
     def look_at_indices(self) -> None:
@@ -356,46 +320,44 @@ class Judge:
         used = {v for corners in self.triangles for v in corners}
         for v, p in enumerate(self.at):
             if self.first.setdefault(p, v) != v:
-                self.add("duplicate-vertex", {"vertex": v}, first=self.first[p], point=text(p))
+                self.add("duplicate-vertex", {"vertex": v}, first=self.first[p], point=p)
             if v not in used:
-                self.add("unused-vertex", {"vertex": v}, point=text(p))
+                self.add("unused-vertex", {"vertex": v}, point=p)
 
     def look_at_edges(self) -> None:
         """Triangles run counter-clockwise, directed edges are used once; which have no reverse?"""
-        users: dict[Edge, list[int]] = defaultdict(list)
+        users: dict[tuple[int, int], list[int]] = defaultdict(list)
         for t, corners in self.sound.items():
-            area = turn(*(self.at[v] for v in corners))
-            a, b, c = (self.first[self.at[v]] for v in corners)
+            p, q, r = (self.at[v] for v in corners)
+            area = turn(p, q, r)
             if area < 0:  # and is counted as turned over
                 self.add("clockwise-triangle", {"triangle": t})
-                b, c = c, b
+                q, r = r, q
             elif area == 0:
                 self.add("degenerate-triangle", {"triangle": t})
-            for edge in (a, b), (b, c), (c, a):
-                users[edge].append(t)
+            for u, v in (p, q), (q, r), (r, p):
+                users[self.first[u], self.first[v]].append(t)
         for (a, b), ts in users.items():
             if len(ts) > 1:
                 self.add("edge-used-twice", {"edge": [a, b]}, triangles=ts)
             times = len(ts) - len(users.get((b, a), ()))
             if times > 0 and a != b:
-                self.sides.append((a, b, times))
+                self.sides.append((self.at[a], self.at[b], times, {"edge": [a, b]}))
 
     def look_at_sides(self) -> None:
         """The sides run just where the polygon does, or (without one) enclose a region once."""
-        lines: dict[object, list[Piece]] = defaultdict(list)
-        for a, b, times in self.sides:
-            p, q = self.at[a], self.at[b]
-            lines[line(p, q)].append((p, q, times, {"edge": [a, b]}))
-        if self.outline:
-            at, names = self.outline.at, self.outline.names
-            for (a, b, _), name, p in zip(self.outline.sides, names, at, strict=True):
-                lines[line(at[a], at[b])].append((at[a], at[b], -1, {"polygon_edge": name}))
-                if p not in self.first:
-                    self.add("polygon-vertex-missing", {"polygon_vertex": name}, point=text(p))
-        wrong = [stretch for pieces in lines.values() for stretch in unmatched(pieces)]
+        for p, edge in zip(self.corners, self.edges, strict=True):
+            if p not in self.first:
+                name = edge[3]["polygon_edge"]
+                self.add("polygon-vertex-missing", {"polygon_vertex": name}, point=p)
+        lines = defaultdict[object, tuple[list[Piece], list[Piece]]](lambda: ([], []))
+        for kind, pieces in enumerate((self.sides, self.edges)):
+            for piece in pieces:
+                lines[line(*piece[:2])][kind].append(piece)
+        wrong = [piece for both in lines.values() for piece in unmatched(*both)]
         if wrong:
             self._name_conflicts()
-        for where, p, q in wrong:
+        for p, q, _, where in wrong:
             if self.valid or len(self.defects) < self.limit:
                 for spot in beside(p, q):
                     self._look_at_spot(where, spot)
@@ -403,60 +365,57 @@ class Judge:
             self.add("region-not-covered", {}, point="any point")
 
     def _name_conflicts(self) -> None:
-        for kind, i, j in conflicts(self.at, self.sides):
-            edge = list(self.sides[i][:2])
+        found = [
+            (k, i, self.first[u] if k == "hanging" else u) for k, i, u in conflicts(self.sides)
+        ]
+        for kind, i, j in sorted(found):
+            where = self.sides[i][3]
             if kind == "hanging":
-                self.add("hanging-vertex", {"vertex": j}, edge=edge, point=text(self.at[j]))
+                self.add("hanging-vertex", {"vertex": j}, **where, point=self.at[j])
             else:
-                kind = "crossing-edges" if self.outline else "boundary-not-simple"
-                self.add(kind, {"edge": edge}, other=list(self.sides[j][:2]))
-        if self.outline:
-            at, edges = self.outline.at, self.outline.sides
-            for v in sorted({a for a, _, _ in self.sides}):
-                p = self.at[v]
-                if len(self.defects) >= self.limit:
-                    break
-                if not any(is_on(p, at[a], at[b]) for a, b, _ in edges):
-                    self.add("boundary-vertex-off-edge", {"vertex": v}, point=text(p))
+                kind = "crossing-edges" if self.given else "boundary-not-simple"
+                self.add(kind, where, other=self.sides[j][3]["edge"])
+        for v in sorted({self.first[p] for p, *_ in self.sides} if self.given else ()):
+            p = self.at[v]
+            if len(self.defects) < self.limit and not any(
+                min(a, b) <= p <= max(a, b) and turn(a, b, p) == 0 for a, b, *_ in self.edges
+            ):
+                self.add("boundary-vertex-off-edge", {"vertex": v}, point=p)
 
     def _look_at_spot(self, where: dict[str, Any], spot: Spot) -> None:
-        covered = winding(self.at, self.sides, spot)
-        point = text(spot[0])
+        covered, point = winding(self.sides, spot), spot[0]
+        wanted = winding(self.edges, spot) if self.given else covered
         if covered > 1:
             self.add("overlap", where, point=point, covered=covered)
-        elif self.outline:
-            at, sides = self.outline.at, self.outline.sides
-            wanted, outer = (
-                winding(at, some, spot) for some in (sides, sides[: self.outline.outer])
-            )
-            if covered < wanted:
-                self.add("region-not-covered", where, point=point)
-            elif covered > wanted:
-                self.add("hole-filled" if outer else "triangle-outside", where, point=point)
+        elif covered < wanted:
+            self.add("region-not-covered", where, point=point)
+        elif covered > wanted:
+            in_hole = winding(self.edges[: self.outer], spot)
+            self.add("hole-filled" if in_hole else "triangle-outside", where, point=point)
 
-    def measure(self, angle_limit: str | None, least: Fraction | None) -> dict[str, Any]:
+    def measure(self, bound: str | None, least: Fraction | None) -> dict[str, Any]:
         """The largest angle, the least squared height, and the number of triangles by angle."""
-        too_large = angle_bound(angle_limit) if angle_limit is not None else lambda square: False
+        is_too_large = angle_bound(bound) if bound is not None else lambda square: False
         classes = dict.fromkeys([*CLASSES, "above"], 0)
         squares: dict[int, Fraction] = {}
         heights: list[Fraction] = []
         for t, corners in self.sound.items():
-            a, b, c = three = [self.at[v] for v in corners]
-            if area := turn(a, b, c):
-                lengths = [dot(b, c, c), dot(c, a, a), dot(a, b, b)]
-                i = lengths.index(max(lengths))
-                cosine = dot(three[i], three[i - 1], three[i - 2])
-                square = squares[t] = cosine * abs(cosine) / (lengths[i - 1] * lengths[i - 2])
-                heights.append(area * area / lengths[i])
-                classes[next((k for k, n in CLASSES.items() if 4 * square >= n), "above")] += 1
-                if too_large(square):
-                    shown = angle(square) if len(self.defects) < self.limit else {}
-                    self.add("angle-above-bound", {"triangle": t}, bound=angle_limit, **shown)
-                if least is not None and heights[-1] < least:
-                    bound, height = str(least), str(heights[-1])
-                    self.add(
-                        "height-below-bound", {"triangle": t}, bound=bound, height_squared=height
-                    )
+            a, b, c = at = [self.at[v] for v in corners]
+            if not (area := turn(a, b, c)):
+                continue
+            lengths = [dot(b, c, c), dot(c, a, a), dot(a, b, b)]
+            i = lengths.index(max(lengths))
+            cosine = dot(at[i], at[i - 1], at[i - 2])
+            square = squares[t] = cosine * abs(cosine) / (lengths[i - 1] * lengths[i - 2])
+            height = area * area / lengths[i]
+            heights.append(height)
+            classes[next((name for name, n in CLASSES.items() if 4 * square >= n), "above")] += 1
+            if is_too_large(square):
+                shown = angle(square) if len(self.defects) < self.limit else {}
+                self.add("angle-above-bound", {"triangle": t}, bound=bound, **shown)
+            if least is not None and height < least:
+                witness = {"bound": str(least), "height_squared": str(height)}
+                self.add("height-below-bound", {"triangle": t}, **witness)
         worst = min(squares, key=squares.__getitem__, default=None)
         return {
             "max_angle": None if worst is None else {**angle(squares[worst]), "triangle": worst},
@@ -475,28 +434,19 @@ def judge(
     max_triangles: int | None = None,
     limit: int = 100,
 ) -> dict[str, Any]:
-    """The verdict on a mesh document (parsed JSON, its decimals kept as text).
-
-    Raises `Unreadable` if the mesh, the polygon or a bound cannot be understood.
-    """
+    """The verdict on a mesh document, its decimals kept as text; or `Unreadable`."""
     sys.set_int_max_str_digits(0)  # `number` has its own limit
-    polygon = document(mesh, "mesh").get("polygon") if polygon is None else polygon
-    court = Judge(mesh, None if polygon is None else Outline(polygon), limit)
-    least = None if min_height_squared is None else number(min_height_squared, "height")
+    court = Judge(mesh, polygon, limit)
     court.look_at_indices()
     court.look_at_edges()
     court.look_at_sides()
+    least = None if min_height_squared is None else number(min_height_squared, "height")
     measured = court.measure(None if max_angle is None else str(max_angle), least)
-    if max_triangles is not None and len(court.triangles) > max_triangles:
-        court.add("too-many-triangles", {}, triangles=len(court.triangles), bound=max_triangles)
-    return {
-        "valid": court.valid,
-        "within_tolerance": None,
-        "defects": court.defects,
-        "triangles": len(court.triangles),
-        "vertices": len(court.at),
-        **measured,
-    }
+    count = len(court.triangles)
+    if max_triangles is not None and count > max_triangles:
+        court.add("too-many-triangles", {}, triangles=count, bound=max_triangles)
+    verdict = {"valid": court.valid, "within_tolerance": None, "defects": court.defects}
+    return {**verdict, "triangles": count, "vertices": len(court.at), **measured}
 
 
 def load(path: str) -> object:
@@ -514,7 +464,7 @@ def main() -> int:
     parser.add_argument("--min-height-squared", metavar="H")
     parser.add_argument("--max-triangles", type=int, metavar="K")
     parser.add_argument("--limit", type=int, default=100, help="defects listed")
-    parser.add_argument("--json", action="store_true", help="the verdict as one JSON object")
+    parser.add_argument("--json", action="store_true", help="all on one line")
     options = vars(parser.parse_args())
     as_json = options.pop("json")
     sys.set_int_max_str_digits(0)  # `number` has its own limit
@@ -524,13 +474,7 @@ def main() -> int:
     except (OSError, ValueError, RecursionError, MemoryError) as error:
         print(f"unreadable: {error}", file=sys.stderr)
         return 3
-    if as_json:
-        print(json.dumps(verdict))
-    else:
-        print("valid" if verdict["valid"] else "NOT valid")
-        for name, value in verdict.items():
-            for row in value if name == "defects" else [value]:
-                print(f"  {name}: {row}")
+    print(json.dumps(verdict, indent=None if as_json else 1))
     return 0 if verdict["valid"] else 1
 
 
