@@ -16,7 +16,7 @@ from gmpy2 import mpq
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
 from bern_exact.boundary.dice import square_of
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import Triangulated, best_triangulation
+from bern_exact.boundary.optimal import best_triangulation
 from bern_exact.boundary.records import GridNode, Node, Traced, Warped
 from bern_exact.boundary.warp import Instance, QVertices, Warping
 from bern_exact.exact.points import HPoint, grid_point
@@ -95,16 +95,24 @@ class CornerRule:
 
     def _is_good(self, v: int, candidate: Substep1) -> bool:
         """Does every face of the block keep its bounds with this corner?"""
+        for points in self._block_faces_with(v, candidate):
+            if self._has_short_edge(points):
+                return False
+            found = best_triangulation(points, limited=True)
+            if found is None or 2 * found.squared_height < self.tau_squared:
+                return False
+        return True
+
+    def closest(self, v: int) -> tuple[tuple[HPoint, ...], ...]:
+        """The faces of the block of v if its closest corner moves to it, as printed."""
+        return tuple(self._block_faces_with(v, self._candidates(v)[0]))
+
+    def _block_faces_with(self, v: int, candidate: Substep1) -> Iterator[tuple[HPoint, ...]]:
+        """The faces of the block that may change, after warping with this corner."""
         warping = Warping(self.q, candidate.moved, candidate.instances)
         for ring in self._block_rings(v, candidate, warping):
             for final in warping.rings(ring):
-                points = [point for _, point in final]
-                if self._has_short_edge(points):
-                    return False
-                found = best_triangulation(points, limited=True)
-                if found is None or 2 * found.squared_height < self.tau_squared:
-                    return False
-        return True
+                yield tuple(point for _, point in final)
 
     def _has_short_edge(self, points: Sequence[HPoint]) -> bool:
         return any(
@@ -200,8 +208,6 @@ def warp(traced: Traced, tracer: Tracer, tau: mpq = TAU) -> tuple[Warped, Warpin
         choices,
         tuple(node for node, _ in fates),
         tuple(point for _, point in fates),
+        {v: rule.closest(v) for v, refused in enumerate(rank) if refused},
     )
     return record, warping
-
-
-__all__ = ["TAU", "CornerRule", "Triangulated", "warp"]

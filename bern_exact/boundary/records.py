@@ -241,6 +241,9 @@ class Warped:
         For each crossing the node that it ends as: itself, another crossing, or a vertex of P'.
     points : tuple of HPoint
         For each crossing its final position, in grid coordinates (that of its image).
+    refused : mapping vertex -> tuple of rings
+        For each vertex of P' whose closest corner was refused: what the faces of its block
+        would have been with that corner, as the paper has it (for showing the erratum).
     """
 
     traced: Traced
@@ -251,6 +254,7 @@ class Warped:
     choices: Mapping[int, GridNode | tuple[int, int, int]]
     image: tuple[Node, ...]
     points: tuple[HPoint, ...]
+    refused: Mapping[int, tuple[tuple[HPoint, ...], ...]]
 
     def image_of(self, node: Node) -> Node:
         """The final node of any node of the arrangement."""

@@ -8,9 +8,9 @@ running time that the paper bounds.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from gmpy2 import mpq
+from gmpy2 import mpq, mpz
 
 from bern_exact.boundary.records import BoundaryMesh, Framed, Lopped, Warped
 from bern_exact.checkers import bounds
@@ -18,8 +18,10 @@ from bern_exact.checkers.dicing import squares
 from bern_exact.checkers.extremes import Extreme
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_3 import faces_between_matches, squared_grid_height
-from bern_exact.checkers.places import Places, squared_height
+from bern_exact.checkers.places import Places, cotangent, squared_height
 from bern_exact.checkers.printed_cut import check_printed_cut
+from bern_exact.exact.points import HPoint
+from bern_exact.exact.predicates import orientation
 from bern_exact.interior.records import GridNode, Swept, SweptColumn
 from bern_exact.plane.feature_size import FeatureSize
 
@@ -71,12 +73,15 @@ def check_framed_as_printed(framed: Framed, feature: FeatureSize) -> list[Findin
 def check_warped_as_printed(warped: Warped) -> list[Finding]:
     """Lemma 2's 135 degrees if every vertex takes the closest corner of its square.
 
-    The record says how many closer corners were refused because the block could
-    then not be triangulated within its bounds.
+    Only blocks whose closest corner was refused are measured: the others took it and are
+    measured by Lemma 2 itself.  A face counts with the best of all its triangulations.
     """
-    refused = Extreme(greatest=True)
+    refused, angle = Extreme(greatest=True), Extreme()
     for v, rank in enumerate(warped.rank):
         refused.offer(rank, 1, {"vertex of P'": v, "corner taken": warped.corners[v]})
+    for v, rings in sorted(warped.refused.items()):
+        for ring in rings:
+            angle.offer(*best_cotangent(ring), {"vertex of P'": v, "face": ring})
     return [
         refused.finding(
             "lemma-2.printed-closest-corner",
@@ -85,8 +90,47 @@ def check_warped_as_printed(warped: Warped) -> list[Finding]:
             "among them (closer corners refused)",
             0,
             role="as-printed",
-        )
+        ),
+        angle.finding(
+            "lemma-2.printed-block-angle",
+            "warped",
+            "with the closest corner every face of a block can be triangulated with angles of at "
+            "most 135 degrees (least cotangent of the best triangulation, over refused blocks)",
+            mpq(-1),
+            role="as-printed",
+        ),
     ]
+
+
+def best_cotangent(ring: Sequence[HPoint]) -> tuple[mpz, mpz]:
+    """The least cotangent of an angle in the ring's triangulation with the least largest angle.
+
+    Exhaustive: a ring has at most 7 sides here, so at most 42 triangulations.  A ring that
+    has no triangulation counts as 180 degrees and more: (-10^9, 1).
+    """
+    worst = max(
+        (
+            min(
+                mpq(*cotangent(t[i - 1], t[i], t[(i + 1) % 3])) for t in triangles for i in range(3)
+            )
+            for triangles in triangulations(tuple(ring))
+        ),
+        default=mpq(-(10**9)),
+    )
+    return worst.numerator, worst.denominator
+
+
+def triangulations(ring: tuple[HPoint, ...]) -> Iterator[list[tuple[HPoint, HPoint, HPoint]]]:
+    """Every triangulation of a ring by its own vertices, all triangles counter-clockwise."""
+    if len(ring) < 3:
+        yield []
+        return
+    first, last = ring[0], ring[-1]
+    for k in range(1, len(ring) - 1):
+        if orientation(first, ring[k], last) > 0:
+            for before in triangulations(ring[: k + 1]):
+                for after in triangulations(ring[k:]):
+                    yield [*before, (first, ring[k], last), *after]
 
 
 def check_boundary_as_printed(mesh: BoundaryMesh) -> list[Finding]:
@@ -137,12 +181,14 @@ def check_swept_as_printed(swept: Swept) -> list[Finding]:
 def zig_zag_triangles(item: SweptColumn) -> Iterator[GridTriangle]:
     """The faces of a column cut by diagonals that go down the two sides in turn.
 
-    When one side has reached its bottom the other goes on alone.
+        When one side has reached its bottom the other goes on alone.
 
-    >>> from bern_exact.interior.records import Column
-    >>> column = SweptColumn(Column(0, 1, 0, 9), (0, 9), (0, 8, 9), ())
-    >>> list(zig_zag_triangles(column))[-1]
-    ((1, 8), (0, 0), (1, 0))
+        >>> from bern_exact.exact.points import HPoint
+    from bern_exact.exact.predicates import orientation
+    from bern_exact.interior.records import Column
+        >>> column = SweptColumn(Column(0, 1, 0, 9), (0, 9), (0, 8, 9), ())
+        >>> list(zig_zag_triangles(column))[-1]
+        ((1, 8), (0, 0), (1, 0))
     """
     x0, x1 = item.column.x0, item.column.x1
     for left, right in faces_between_matches(item):

@@ -94,7 +94,7 @@ def _outline(cells: set[Point]) -> Ring:
     """The corners of the outline of a simply connected set of unit cells, counter-clockwise."""
     x, y = min(cells)
     start = (x, y)
-    corners = []
+    corners: Ring = []
     heading = 0
     while not corners or (x, y) != start:
         dx, dy = STEPS[heading]

@@ -16,6 +16,13 @@ from bern_exact.boundary.faces import trace
 from bern_exact.boundary.frame import Degenerate, frame
 from bern_exact.boundary.lop import lop
 from bern_exact.boundary.records import Diced, Framed, Lopped
+from bern_exact.checkers.as_printed import (
+    check_boundary_as_printed,
+    check_framed_as_printed,
+    check_lopped_as_printed,
+    check_swept_as_printed,
+    check_warped_as_printed,
+)
 from bern_exact.checkers.definition_1 import check_definition_1
 from bern_exact.checkers.definition_2 import check_definition_2
 from bern_exact.checkers.dicing import check_dicing, check_frame
@@ -70,6 +77,7 @@ def theorem_1(
     polygon: Polygon,
     *,
     check: Check = "every-stage",
+    as_printed: bool = False,
     observer: Observer | None = None,
 ) -> Construction:
     """Triangulate a polygon with holes into O(n) triangles of height Omega(s).
@@ -84,6 +92,8 @@ def theorem_1(
         Valid, as `polygon_from_rings` makes it.
     check : {"every-stage", "final", "none"}
         Check every claim after its stage, the theorem's own at the end, or nothing.
+    as_printed : bool
+        Also evaluate the sentences that are false as printed.
     observer : Observer, optional
         Told of each stage's record.
 
@@ -146,6 +156,12 @@ def theorem_1(
     if check != "none":
         verdict = verify_mesh(assembled.mesh, polygon)
         log.demand(check_theorem_1(polygon, assembled.mesh, diced.framed, feature, verdict))
+    if as_printed:
+        log.demand(check_lopped_as_printed(lopped, feature))
+        log.demand(check_framed_as_printed(diced.framed, feature))
+        log.demand(check_warped_as_printed(warped))
+        log.demand(check_boundary_as_printed(boundary))
+        log.demand(check_swept_as_printed(swept))
     return Construction(polygon, feature, diced.framed, assembled, log.records, log.findings)
 
 
