@@ -189,7 +189,7 @@ def unmatched(sides: list[Piece], edges: list[Piece]) -> Iterator[Piece]:
         cover[q] += cover[p]
         if net[p] or cover[p] > 1:
             there = (w for a, b, _, w in sides + edges if min(a, b) <= p and q <= max(a, b))
-            yield p, q, 1, next(there)
+            yield p, q, net[p], next(there)
 
 
 def conflicts(pieces: Sequence[Piece]) -> set[tuple[str, int, Any]]:
@@ -356,7 +356,7 @@ class Judge:
                 lines[line(*piece[:2])][kind].append(piece)
         wrong = [piece for both in lines.values() for piece in unmatched(*both)]
         if wrong:
-            self._name_conflicts()
+            self._name_conflicts({u for p, q, net, _ in wrong if net for u in (p, q)})
         for p, q, _, where in wrong:
             if self.valid or len(self.defects) < self.limit:
                 for spot in beside(p, q):
@@ -364,7 +364,7 @@ class Judge:
         if not self.sides:
             self.add("region-not-covered", {}, point="any point")
 
-    def _name_conflicts(self) -> None:
+    def _name_conflicts(self, ends: set[Point]) -> None:
         found = [
             (k, i, self.first[u] if k == "hanging" else u) for k, i, u in conflicts(self.sides)
         ]
@@ -375,7 +375,7 @@ class Judge:
             else:
                 kind = "crossing-edges" if self.given else "boundary-not-simple"
                 self.add(kind, where, other=self.sides[j][3]["edge"])
-        for v in sorted({self.first[p] for p, *_ in self.sides} if self.given else ()):
+        for v in sorted(self.first[p] for p in ends & self.first.keys() if self.given):
             p = self.at[v]
             if len(self.defects) < self.limit and not any(
                 min(a, b) <= p <= max(a, b) and turn(a, b, p) == 0 for a, b, *_ in self.edges

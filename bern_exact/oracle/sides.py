@@ -34,8 +34,8 @@ Place = dict[str, Any]
 Piece = tuple[HPoint, HPoint, int, Place]
 """From, to, how often run through (a polygon's edge: -1), and whose edge it is."""
 
-Stretch = tuple[Place, HPoint, HPoint]
-"""A part of a line, and an edge that runs there."""
+Stretch = tuple[HPoint, HPoint, int, Place]
+"""A part of a line, how much more sides than edges run there, and one of them."""
 
 Spot = tuple[HPoint, Vector, Vector]
 """(m, d, n): the point m + e n + e^2 d for all small e > 0."""
@@ -119,7 +119,8 @@ def _unmatched(pieces: Sequence[Piece]) -> Iterator[Stretch]:
         net[q] += net[p]
         sides[q] += sides[p]
         if net[p] or sides[p] > 1:
-            yield next(place for v, w, _, place in pieces if _spans(at, v, w, p, q)), p, q
+            place = next(place for v, w, _, place in pieces if _spans(at, v, w, p, q))
+            yield p, q, net[p], place
 
 
 def _spans(at: dict[HPoint, tuple[mpq, mpq]], v: HPoint, w: HPoint, p: HPoint, q: HPoint) -> bool:
@@ -147,13 +148,14 @@ def _name_what_is_wrong(
             kind = "boundary-not-simple" if polygon is None else "crossing-edges"
             found.add(kind, {"edge": edge}, {"other": list(sides[j][:2])})
     if polygon is not None:
-        _name_vertices_off_edges(vertices, sides, outline, found)
+        ends = {u for p, q, net, _ in wrong if net for u in (p, q)}
+        _name_vertices_off_edges(vertices, ends, outline, found)
     directed = [(vertices[a], vertices[b], times) for a, b, times in sides]
     if polygon is None and not clashes and _is_covered_once(vertices, sides, directed):
         return
     boundary = [(p, q, 1) for p, q, _, _ in outline]
     outer = len(polygon.rings[0]) if polygon is not None else 0
-    for place, p, q in wrong:
+    for p, q, _, place in wrong:
         if found.valid or not found.full:
             for spot in _beside(p, q):
                 covered = _winding(directed, spot)
@@ -171,18 +173,23 @@ def _name_what_is_wrong(
 
 
 def _name_vertices_off_edges(
-    vertices: Sequence[HPoint], sides: Sequence[Side], outline: Sequence[Piece], found: Findings
+    vertices: Sequence[HPoint], ends: set[HPoint], outline: Sequence[Piece], found: Findings
 ) -> None:
+    """Those of the ends of wrong stretches that lie on no edge of the polygon."""
     boxes = [_box(coordinates(p), coordinates(q)) for p, q, _, _ in outline]
-    for v in sorted({a for a, _, _ in sides}):
+    seen: set[HPoint] = set()
+    for v, point in enumerate(vertices):
         if found.full:
             break
-        x, y = coordinates(vertices[v])
+        if point not in ends or point in seen:
+            continue
+        seen.add(point)
+        x, y = coordinates(point)
         if not any(
-            left <= x <= right and low <= y <= high and orientation(p, q, vertices[v]) == 0
+            left <= x <= right and low <= y <= high and orientation(p, q, point) == 0
             for (p, q, _, _), (left, right, low, high) in zip(outline, boxes, strict=True)
         ):
-            witness = {"point": point_json(vertices[v])}
+            witness = {"point": point_json(point)}
             found.add("boundary-vertex-off-edge", {"vertex": v}, witness)
 
 
