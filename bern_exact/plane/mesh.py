@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from bern_exact.exact.points import HPoint
+from gmpy2 import mpq
+
+from bern_exact.exact.points import HPoint, coordinates
 
 Triangle = tuple[int, int, int]
 """Three vertex indices, counter-clockwise."""
@@ -24,3 +26,8 @@ class Mesh:
 
     vertices: tuple[HPoint, ...]
     triangles: tuple[Triangle, ...]
+
+    @property
+    def coordinates(self) -> list[tuple[mpq, mpq]]:
+        """The vertices as rational (x, y), in order."""
+        return [coordinates(p) for p in self.vertices]

@@ -10,6 +10,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from gmpy2 import mpq
+
 from bern_exact.exact.points import HPoint
 from bern_exact.exact.predicates import orientation
 from bern_exact.plane.flips import make_delaunay
@@ -95,6 +97,24 @@ def triangulate_polygon(polygon: Polygon) -> Triangulation:
     return Triangulation(corners, twin, leaving)
 
 
+DIRECTIONS = ((1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (-1, 2), (-1, 1), (-2, 1))
+"""The directions in which a sweep may go."""
+
+
+def _laid_along(points: Sequence[HPoint]) -> Sequence[HPoint]:
+    """The points turned (and scaled) so that they are about as wide as they can be.
+
+    A sweep across a long polygon, such as a tall ellipse, would join points that are far apart
+    and leave quadratically many flips; a sweep along it leaves few.
+    """
+    extents = []
+    for a, b in DIRECTIONS:
+        positions = [mpq(a * x + b * y, w) for x, y, w in points]
+        extents.append((max(positions) - min(positions)) ** 2 / mpq(a * a + b * b))
+    a, b = DIRECTIONS[extents.index(max(extents))]
+    return [(a * x + b * y, a * y - b * x, w) for x, y, w in points]
+
+
 def _twins(origin: Sequence[int]) -> list[int]:
     """For each half-edge the opposite one, -1 on the boundary."""
     at: dict[tuple[int, int], int] = {}
@@ -139,10 +159,10 @@ class _Sweep:
     """
 
     def __init__(self, polygon: Polygon) -> None:
-        self.points: Sequence[HPoint] = polygon.points
+        self.points: Sequence[HPoint] = _laid_along(polygon.points)
         self.polygon = polygon
-        self.order, self.rank = lexicographic_ranks(polygon.points)
-        self.lines = rightward_lines(polygon.points, polygon.after, self.rank)
+        self.order, self.rank = lexicographic_ranks(self.points)
+        self.lines = rightward_lines(self.points, polygon.after, self.rank)
         self.status: list[int] = []
         self.gaps: dict[int, _Gap] = {}  # by the gap's lower edge
         self.found: list[tuple[int, int, int]] = []
