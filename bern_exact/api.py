@@ -113,8 +113,7 @@ def triangulate(
     construct = THEOREMS.get(theorem or (3 if polygon.holes else 2))
     if construct is None:
         raise NotInThisVersion(_refusal(polygon, theorem))
-    extra = {"as_printed": True} if as_printed else {}
-    made = construct(polygon, check=check, observer=observer, **extra)
+    made = construct(polygon, check=check, as_printed=as_printed, observer=observer)
     return _result(made, theorem or (3 if polygon.holes else 2))
 
 

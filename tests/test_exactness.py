@@ -21,7 +21,12 @@ from tests.source import Module, modules
 DISPLAY: dict[str, str] = {}
 
 # Path -> the modules named below that it may import, with the reason.
-MODULES_ALLOWED: dict[str, dict[str, str]] = {}
+MODULES_ALLOWED: dict[str, dict[str, str]] = {
+    "corpus/shapes.py": {"random": "integers from a seed"},
+}
+
+# Path -> how long it may be, for files that are longer than others.
+LONG = {"oracle/judge.py": 500}  # the trusted file must stand alone, reading and all
 
 INEXACT_MODULES = {"math", "cmath", "decimal", "random", "numpy", "statistics"}
 INEXACT_CALLS = {"float", "complex", "round"}
@@ -120,12 +125,12 @@ def test_exceptions_say_what_they_are(module: Module) -> None:
 
 @by_name
 def test_files_are_short(module: Module) -> None:
-    assert module.text.count("\n") <= MOST_LINES
+    assert module.text.count("\n") <= LONG.get(module.path, MOST_LINES)
 
 
 def test_the_lists_of_exceptions_are_up_to_date() -> None:
     paths = {m.path for m in MODULES}
-    assert set(DISPLAY) | set(MODULES_ALLOWED) <= paths
+    assert set(DISPLAY) | set(MODULES_ALLOWED) | set(LONG) <= paths
 
 
 @pytest.mark.parametrize(

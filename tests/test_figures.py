@@ -14,6 +14,9 @@ from bern_exact.figures import DIGITS, digits_of, root, shortened
 
 def ends(text: str) -> tuple[Fraction, Fraction]:
     """What the value may be, by the digits shown."""
+    if text.startswith("["):
+        first, last = text.strip("[]").split(", ")
+        return ends(first)[0], ends(last)[1]
     if "..." not in text:
         return Fraction(text), Fraction(text)
     digits, _, exponent = text.partition("...")

@@ -20,6 +20,7 @@ LAYERS = (
     "oracle",
     "theorems",
     "formats",
+    "corpus",
     "outputs",
     "certificate",
     "counts",

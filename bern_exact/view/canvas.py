@@ -46,7 +46,7 @@ class Plane:
 
     @staticmethod
     def around(points: Sequence[HPoint], bits: int = PLANE_BITS) -> Plane:
-        """The plane with these points' bounding box, the larger side 2^bits units.
+        """The plane with these points' bounding box, the larger side 2^bits units; of none, a dot.
 
         >>> from bern_exact.exact.points import hpoint
         >>> plane = Plane.around([hpoint(0, 0), hpoint(2, 1)], bits=3)
@@ -55,8 +55,9 @@ class Plane:
         """
         xs = [mpq(x, w) for x, _, w in points]
         ys = [mpq(y, w) for _, y, w in points]
-        left, bottom = min(xs), min(ys)
-        width, height = max(xs) - left, max(ys) - bottom
+        zero = mpq(0)
+        left, bottom = min(xs, default=zero), min(ys, default=zero)
+        width, height = max(xs, default=zero) - left, max(ys, default=zero) - bottom
         scale = mpq(mpz(1) << bits) / (max(width, height) or mpq(1))
         return Plane(left, bottom, scale, max(1, int(width * scale)), max(1, int(height * scale)))
 

@@ -62,7 +62,7 @@ def draw(
     polygon : Polygon or None
         The boundary, drawn over the mesh.
     mesh : Mesh
-        Any mesh of at least one vertex whose indices are in range.
+        Any mesh whose indices are in range.
     classes : sequence of str, optional
         For each triangle one of `CLASSES`; all are "mesh" if it is not given.
     title, subtitle : str

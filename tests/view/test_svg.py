@@ -51,6 +51,10 @@ def test_a_needle_is_still_a_triangle_in_its_enlargement() -> None:
     assert paths(picture)["markA"]
 
 
+def test_nothing_has_a_picture_too() -> None:
+    ElementTree.fromstring(draw(None, Mesh((), ())))
+
+
 def test_a_title_cannot_break_the_file() -> None:
     picture = draw(SQUARE, HALVES, title="</text><script>&\x00\ud800")
     assert not list(ElementTree.fromstring(picture).iter(f"{SVG}script"))
