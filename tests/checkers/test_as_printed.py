@@ -17,7 +17,7 @@ from bern_exact.checkers.as_printed import (
 from bern_exact.checkers.definition_1 import admissible_distance
 from bern_exact.checkers.findings import Finding, demand
 from bern_exact.checkers.printed_cut import printed_boxes
-from bern_exact.exact.points import hpoint
+from bern_exact.exact.points import grid_point, hpoint
 from bern_exact.exact.predicates import squared_distance
 from bern_exact.interior.records import Column, Rectilinear, Swept, SweptColumn
 from bern_exact.plane.feature_size import FeatureSize
@@ -113,10 +113,21 @@ def test_blocks_of_the_papers_unit_can_overlap() -> None:
 
 def test_a_refused_corner_refutes_the_closest_one() -> None:
     warped = stages_of("plate").warped
-    (found,) = check_warped_as_printed(replace(warped, rank=(0,) * len(warped.rank)))
+    found, _ = check_warped_as_printed(replace(warped, rank=(0,) * len(warped.rank)))
     assert found.holds
-    (found,) = check_warped_as_printed(replace(warped, rank=(1, *warped.rank[1:])))
+    found, _ = check_warped_as_printed(replace(warped, rank=(1, *warped.rank[1:])))
     assert not found.holds and found.measured == 1
+
+
+def test_the_block_angle_of_a_refused_corner_is_that_of_its_best_triangulation() -> None:
+    # A kite whose short diagonal leaves 143.13 degrees at both ends, the long one 73.74.
+    kite = (grid_point(0, 0), grid_point(3, -1), grid_point(6, 0), grid_point(3, 1))
+    dart = (grid_point(0, 0), grid_point(3, -1), grid_point(6, 0))
+    warped = stages_of("plate").warped
+    _, found = check_warped_as_printed(replace(warped, refused={0: (kite,)}))
+    assert found.holds
+    _, found = check_warped_as_printed(replace(warped, refused={0: (kite, dart)}))
+    assert not found.holds and found.measured == "-4/3"
 
 
 def test_almost_an_eighth_is_too_optimistic_only_where_it_is() -> None:
@@ -153,7 +164,7 @@ def test_all_are_reported_and_never_raised() -> None:
         *check_boundary_as_printed(stages.boundary),
         *check_swept_as_printed(stages.swept),
     ]
-    assert len(demand(findings)) == len({f.claim for f in findings}) == 7
+    assert len(demand(findings)) == len({f.claim for f in findings}) == 8
     assert all(f.role == "as-printed" for f in findings)
     json.dumps([[f.to_json(), f.witness] for f in findings])
 
