@@ -97,12 +97,10 @@ def _fraction(text: str, sign: str, numerator: str, denominator: str | None) -> 
     """An integer or fraction from its parts."""
     if len(numerator) > MAX_DIGITS or len(denominator or "") > MAX_DIGITS:
         raise _too_long(text)
-    value = mpq(mpz(numerator, 10))
-    if denominator is not None:
-        divisor = mpz(denominator, 10)
-        if divisor == 0:
-            raise InputError("number", f"{shown(text)} divides by zero")
-        value = value / divisor
+    divisor = mpz(denominator or "1", 10)
+    if divisor == 0:
+        raise InputError("number", f"{shown(text)} divides by zero")
+    value = mpq(mpz(numerator, 10), divisor)
     return -value if sign == "-" else value
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from bern_exact.exact.errors import InputError
@@ -23,11 +24,11 @@ def as_object(value: Any, path: str) -> dict[str, Any]:
     return value
 
 
-def as_list(value: Any, path: str) -> list[Any]:
+def as_list(value: Any, path: str) -> Sequence[Any]:
     """The value, if it is an array (a tuple counts)."""
     if not isinstance(value, list | tuple):
         raise refuse("schema", f"an array is expected, not {json_kind(value)}", path)
-    return list(value)
+    return value
 
 
 def member(document: dict[str, Any], key: str, path: str) -> Any:
@@ -66,10 +67,13 @@ def check_version(version: Any, path: str) -> None:
 
 def as_points(value: Any, path: str, *, binary64: bool) -> list[HPoint]:
     """The points of an array of `[x, y]`."""
-    return [
-        _point(item, f"{path}[{i}]", binary64=binary64)
-        for i, item in enumerate(as_list(value, path))
-    ]
+    items = as_list(value, path)
+    try:
+        return [_point(item, path, binary64=binary64) for item in items]
+    except InputError:  # the exact paths cost as much as the numbers: made for refusals alone
+        for i, item in enumerate(items):
+            _point(item, f"{path}[{i}]", binary64=binary64)
+        raise
 
 
 def _point(value: Any, path: str, *, binary64: bool) -> HPoint:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import JsonNumber, json_kind
 from bern_exact.formats import fields, safe_json
 from bern_exact.formats.polygon_json import dump_polygon, point_texts, read_polygon
@@ -60,18 +61,23 @@ def read_mesh(document: Any, *, binary64: bool = False) -> tuple[Mesh, Polygon |
 
 def _triangle(value: Any, number: int) -> Triangle:
     """A triangle: three integers, whatever they are."""
-    path = f"$.triangles[{number}]"
+    if isinstance(value, list | tuple) and len(value) == 3:
+        a, b, c = value
+        if type(a) is int and type(b) is int and type(c) is int:
+            return a, b, c
+    raise _no_triangle(value, f"$.triangles[{number}]")
+
+
+def _no_triangle(value: Any, path: str) -> InputError:
+    """The refusal of what is not three integers."""
     indices = fields.as_list(value, path)
     if len(indices) != 3:
-        raise fields.refuse("schema", f"a triangle has 3 indices, not {len(indices)}", path)
-    for k, index in enumerate(indices):
-        if isinstance(index, JsonNumber):
-            raise fields.refuse("number", "the number is not an index", f"{path}[{k}]")
-        if type(index) is not int:
-            message = f"an integer is expected, not {json_kind(index)}"
-            raise fields.refuse("schema", message, f"{path}[{k}]")
-    a, b, c = indices
-    return a, b, c
+        return fields.refuse("schema", f"a triangle has 3 indices, not {len(indices)}", path)
+    k = next(k for k, index in enumerate(indices) if type(index) is not int)
+    if isinstance(indices[k], JsonNumber):
+        return fields.refuse("number", "the number is not an index", f"{path}[{k}]")
+    message = f"an integer is expected, not {json_kind(indices[k])}"
+    return fields.refuse("schema", message, f"{path}[{k}]")
 
 
 def mesh_document(

@@ -156,7 +156,7 @@ def dumps(document: Any) -> str:
 
     Notes
     -----
-    Linear; 500,000 triangles take about 2 seconds.
+    Linear; 250,000 vertices and 500,000 triangles take about 3 seconds.
 
     >>> print(dumps({"version": 1, "triangles": [[0, 1, 2], [2, 1, 3]]}), end="")
     {
@@ -184,7 +184,10 @@ def _pieces(value: Any, newline: str) -> Iterator[str]:
     separator = "{" if is_object else "["
     for key, item in value.items() if is_object else enumerate(value):
         yield separator + inner + (f"{_encode(key)}: " if is_object else "")
-        yield from _pieces(item, inner)
+        if type(item) is list and _SCALARS.issuperset(map(type, item)):
+            yield _encode(item)  # what the next line does, only that millions of them are quicker
+        else:
+            yield from _pieces(item, inner)
         separator = ","
     yield newline + ("}" if is_object else "]")
 
