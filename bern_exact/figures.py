@@ -28,7 +28,7 @@ def shortened(value: Exact) -> str:
     if value is None:
         return "-"
     if isinstance(value, dict):
-        return f"[{value['lower'][:LONGEST]}, {value['upper'][:LONGEST]}]"
+        return _shared((value["lower"], value["upper"]))
     if isinstance(value, int) or (value.isdecimal() and len(value) <= LONGEST):
         return f"{int(value):,}"
     if len(value) <= LONGEST:
@@ -83,7 +83,7 @@ def root(squared: mpq) -> str:
 
 
 def _shared(bounds: Sequence[str]) -> str:
-    """What certified decimal bounds of a positive number say of its first digits."""
+    """What certified bounds of a number say of its first digits."""
     lower, upper = map(parse_rational, bounds)
     return digits_of(lower) if lower == upper else _common(lower, upper)
 

@@ -12,7 +12,6 @@ from rich.text import Text
 
 from bern_exact.certificate import Certificate
 from bern_exact.checkers.findings import Finding
-from bern_exact.exact.numbers import format_rational
 from bern_exact.facts import Facts
 from bern_exact.figures import degrees, digits_of, root, shortened
 from bern_exact.oracle.verdict import Verdict
@@ -91,7 +90,7 @@ def certificate_lines(certificate: Certificate) -> list[str]:
         f" {root(certificate.height_ratio_squared)} of the feature size"
         f" {root(certificate.feature_size_squared)}",
         f"largest angle {degrees(certificate.max_angle)} degrees",
-        f"{kept} of {guarantees} guarantees checked and kept",
+        f"{kept} of {guarantees} guarantees checked and kept" if guarantees else "nothing checked",
     ]
 
 
@@ -125,7 +124,7 @@ def facts_lines(facts: Facts) -> list[str]:
         f"holes              {facts.polygon.holes:,}",
         f"area               {shortened(record['area'])}",
         f"feature size       {root(facts.feature.squared)}",
-        f"  squared          {format_rational(facts.feature.squared)}",
+        f"  squared          {shortened(record['feature_size_squared'])}",
         f"  attained at      {where}",
         f"diameter           {root(facts.diameter_squared)}",
         f"acute vertices     {len(acute):,}  {listed}".rstrip(),

@@ -13,6 +13,7 @@ from jsonschema import Draft202012Validator
 
 from bern_exact import Polygon, triangulate
 from bern_exact.facts import facts_of
+from bern_exact.oracle.fast import verify_mesh
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 SMALL = ("glyph_dejavusans_A", "mdi_chip", "us_county_51015_augusta")
@@ -35,6 +36,13 @@ def example(name: str) -> Polygon:
 def test_certificates_follow_their_schema(name: str) -> None:
     certificate = triangulate(example(name), theorem=1).certificate.to_json()
     validator("certificate").validate(certificate)
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_meshes_and_verdicts_follow_their_schemas(name: str) -> None:
+    result = triangulate(example(name), theorem=1, check="none")
+    validator("mesh").validate(json.loads(result.document))
+    validator("verdict").validate(verify_mesh(result.mesh, result.polygon).to_json())
 
 
 @pytest.mark.parametrize("name", SMALL)
