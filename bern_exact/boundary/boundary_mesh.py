@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
 from bern_exact.boundary.dice import square_of
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import best_triangulation
+from bern_exact.boundary.optimal import HIGHEST, HIGHEST_WITHIN_135, best_triangulation
 from bern_exact.boundary.records import BoundaryMesh, Face, GridNode, Node, Warped, WarpedFace
 from bern_exact.boundary.warp import Warping
 
@@ -43,9 +43,9 @@ def triangulate_boundary(warped: Warped, warping: Warping, tracer: Tracer) -> Bo
         for ring in warping.rings(face.ring):
             nodes = tuple(node for node, _ in ring)
             points = [point for _, point in ring]
-            found = best_triangulation(points, limited=True) if face.block >= 0 else None
+            found = best_triangulation(points, HIGHEST_WITHIN_135) if face.block >= 0 else None
             if found is None:
-                found = best_triangulation(points, limited=False)
+                found = best_triangulation(points, HIGHEST)
             if found is None:
                 raise UntriangulatedFace(f"face {source} with nodes {nodes}")
             triangles = tuple((nodes[i], nodes[j], nodes[k]) for i, j, k in found.triangles)

@@ -16,7 +16,7 @@ from gmpy2 import mpq
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
 from bern_exact.boundary.dice import square_of
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import best_triangulation
+from bern_exact.boundary.optimal import HIGHEST_WITHIN_135, best_triangulation
 from bern_exact.boundary.records import GridNode, Node, Traced, Warped
 from bern_exact.boundary.warp import Instance, QVertices, Warping
 from bern_exact.exact.points import HPoint, grid_point
@@ -98,8 +98,8 @@ class CornerRule:
         for points in self._block_faces_with(v, candidate):
             if self._has_short_edge(points):
                 return False
-            found = best_triangulation(points, limited=True)
-            if found is None or 2 * found.squared_height < self.tau_squared:
+            found = best_triangulation(points, HIGHEST_WITHIN_135)
+            if found is None or 2 * found.value < self.tau_squared:
                 return False
         return True
 

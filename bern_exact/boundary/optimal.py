@@ -11,6 +11,35 @@ from bern_exact.exact.points import HPoint
 
 Triple = tuple[int, int, int]
 
+KAPPA_135 = mpq(1)
+"""No angle above 135 degrees."""
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """What a triangulation must keep, and what it is best at.
+
+    Parameters
+    ----------
+    kappa : mpq, optional
+        No angle with dot + kappa cross < 0: its cotangent is at least -kappa.
+    squared_floor : mpq
+        No squared height below this.
+    for_angle : bool
+        Best is the least largest angle; otherwise the greatest least height.
+    """
+
+    kappa: mpq | None = None
+    squared_floor: mpq = mpq(0)
+    for_angle: bool = False
+
+
+HIGHEST = Demand()
+"""The greatest least height, whatever the angles."""
+
+HIGHEST_WITHIN_135 = Demand(KAPPA_135)
+"""The greatest least height without an angle above 135 degrees."""
+
 
 @dataclass(frozen=True, slots=True)
 class Triangulated:
@@ -20,24 +49,16 @@ class Triangulated:
     ----------
     triangles : tuple of (int, int, int)
         Indices into the ring, counter-clockwise.
-    squared_height : mpq
-        The least squared height of a triangle.
+    value : mpq
+        What it is best at: the least squared height, or the least cotangent of an angle.
     """
 
     triangles: tuple[Triple, ...]
-    squared_height: mpq
+    value: mpq
 
 
-def squared_height_if(p: HPoint, q: HPoint, r: HPoint, limited: bool) -> mpq | None:
-    """The squared height of a counter-clockwise triangle, or None if it is not admitted.
-
-    Parameters
-    ----------
-    p, q, r : HPoint
-        The triangle.
-    limited : bool
-        Refuse angles above 135 degrees?  (dot + cross >= 0 at each corner.)
-    """
+def rate(p: HPoint, q: HPoint, r: HPoint, demand: Demand) -> mpq | None:
+    """How good a triangle is by a demand; None if it is clockwise, flat or does not keep it."""
     px, py, pw = p
     qx, qy, qw = q
     rx, ry, rw = r
@@ -47,35 +68,42 @@ def squared_height_if(p: HPoint, q: HPoint, r: HPoint, limited: bool) -> mpq | N
     if area <= 0:
         return None
     cx, cy = rx * qw - qx * rw, ry * qw - qy * rw  # qw rw (r - q)
-    if limited:
-        # Each cross product is the same area, scaled as its own corner's dot product is:
-        # at p by pw^2 qw rw, at q by qw^2 pw rw, at r by rw^2 pw qw.
-        if ax * bx + ay * by + area < 0:
-            return None
-        if (-ax * cx - ay * cy) * pw + area * qw < 0:
-            return None
-        if (bx * cx + by * cy) * pw + area * rw < 0:
-            return None
+    # At each corner (dot, cross) up to a common positive factor; the cross products are all
+    # the same area, scaled as their corners' dot products are.
+    corners = (
+        (ax * bx + ay * by, area),
+        (-(ax * cx + ay * cy) * pw, area * qw),
+        ((bx * cx + by * cy) * pw, area * rw),
+    )
+    kappa = demand.kappa
+    if kappa is not None:
+        num, den = kappa.numerator, kappa.denominator
+        for dot, cross in corners:
+            if den * dot + num * cross < 0:
+                return None
     longest = max(
         (ax * ax + ay * ay) * rw * rw, (bx * bx + by * by) * qw * qw, (cx * cx + cy * cy) * pw * pw
     )
-    return mpq(area * area, longest * pw * pw)
+    height = mpq(area * area, longest * pw * pw)
+    if height < demand.squared_floor:
+        return None
+    return min(mpq(dot, cross) for dot, cross in corners) if demand.for_angle else height
 
 
-def best_triangulation(points: Sequence[HPoint], limited: bool) -> Triangulated | None:
-    """The triangulation of a simple ring with the greatest least height.
+def best_triangulation(points: Sequence[HPoint], demand: Demand) -> Triangulated | None:
+    """The best triangulation of a simple ring by its own vertices.
 
     Parameters
     ----------
     points : sequence of HPoint
         A simple polygon, counter-clockwise; not necessarily convex.
-    limited : bool
-        Allow no angle above 135 degrees?
+    demand : Demand
+        What it must keep and be best at.
 
     Returns
     -------
     Triangulated or None
-        None if there is no triangulation within the limit.  Of equally good ones, that
+        None if there is no triangulation that keeps the demand.  Of equally good ones, that
         with the least third corners.
 
     Notes
@@ -83,28 +111,28 @@ def best_triangulation(points: Sequence[HPoint], limited: bool) -> Triangulated 
     The triangles of any choice of third corners form a combinatorial disc; if all are
     positively oriented over a simple ring they tile its interior (the disc covers each
     point as often as the ring winds around it).  So orientation is the only test needed.
-    Cubic in the number of sides, which is at most 7 here.
+    Cubic in the number of sides, which is at most 7 in a face.
     """
     size = len(points)
     if size == 3:
-        height = squared_height_if(points[0], points[1], points[2], limited)
-        return None if height is None else Triangulated(((0, 1, 2),), height)
-    table = _Table(points, limited)
+        value = rate(points[0], points[1], points[2], demand)
+        return None if value is None else Triangulated(((0, 1, 2),), value)
+    table = _Table(points, demand)
     for width in range(2, size):
         for i in range(size - width):
             table.fill(i, i + width)
-    height = table.value.get((0, size - 1))
-    if height is None:
+    value = table.value.get((0, size - 1))
+    if value is None:
         return None
-    return Triangulated(tuple(table.triangles(0, size - 1)), height)
+    return Triangulated(tuple(table.triangles(0, size - 1)), value)
 
 
 @dataclass(slots=True)
 class _Table:
-    """Best least heights of the sub-polygons i, i + 1, ..., j."""
+    """Best values of the sub-polygons i, i + 1, ..., j."""
 
     points: Sequence[HPoint]
-    limited: bool
+    demand: Demand
     value: dict[tuple[int, int], mpq] = field(default_factory=dict)
     third: dict[tuple[int, int], int] = field(default_factory=dict)
 
@@ -112,21 +140,21 @@ class _Table:
         """Choose the third corner of the triangle at the side ij."""
         best: mpq | None = None
         for k in range(i + 1, j):
-            least = self._rest(i, k, j)
-            if least is None or (best is not None and 0 <= least <= best):
+            parts = self._parts(i, k, j)
+            if parts is None or (best is not None and parts and min(parts) <= best):
                 continue
-            height = squared_height_if(self.points[i], self.points[k], self.points[j], self.limited)
-            if height is None:
+            own = rate(self.points[i], self.points[k], self.points[j], self.demand)
+            if own is None:
                 continue
-            least = height if least < 0 else min(least, height)
+            least = min([own, *parts])
             if best is None or least > best:
                 best = least
                 self.third[i, j] = k
         if best is not None:
             self.value[i, j] = best
 
-    def _rest(self, i: int, k: int, j: int) -> mpq | None:
-        """The least height of both sub-polygons beside a triangle; -1 if both are single sides."""
+    def _parts(self, i: int, k: int, j: int) -> list[mpq] | None:
+        """The values of the sub-polygons beside a triangle; None if one has no triangulation."""
         parts = []
         for low, high in ((i, k), (k, j)):
             if high > low + 1:
@@ -134,7 +162,7 @@ class _Table:
                 if value is None:
                     return None
                 parts.append(value)
-        return min(parts) if parts else mpq(-1)
+        return parts
 
     def triangles(self, i: int, j: int) -> list[Triple]:
         """The triangles chosen for the sub-polygon i ... j."""
