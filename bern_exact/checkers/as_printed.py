@@ -181,14 +181,12 @@ def check_swept_as_printed(swept: Swept) -> list[Finding]:
 def zig_zag_triangles(item: SweptColumn) -> Iterator[GridTriangle]:
     """The faces of a column cut by diagonals that go down the two sides in turn.
 
-        When one side has reached its bottom the other goes on alone.
+    When one side has reached its bottom the other goes on alone.
 
-        >>> from bern_exact.exact.points import HPoint
-    from bern_exact.exact.predicates import orientation
-    from bern_exact.interior.records import Column
-        >>> column = SweptColumn(Column(0, 1, 0, 9), (0, 9), (0, 8, 9), ())
-        >>> list(zig_zag_triangles(column))[-1]
-        ((1, 8), (0, 0), (1, 0))
+    >>> from bern_exact.interior.records import Column
+    >>> column = SweptColumn(Column(0, 1, 0, 9), (0, 9), (0, 8, 9), ())
+    >>> list(zig_zag_triangles(column))[-1]
+    ((1, 8), (0, 0), (1, 0))
     """
     x0, x1 = item.column.x0, item.column.x1
     for left, right in faces_between_matches(item):
