@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
 from bern_exact.boundary.dice import square_of
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import HIGHEST, HIGHEST_WITHIN_135, best_triangulation
+from bern_exact.boundary.optimal import HIGHEST, HIGHEST_WITHIN_135, Demand, best_triangulation
 from bern_exact.boundary.records import BoundaryMesh, Face, GridNode, Node, Warped, WarpedFace
 from bern_exact.boundary.warp import Warping
+from bern_exact.exact.points import HPoint
 
 
 class UntriangulatedFace(Exception):
@@ -37,23 +38,33 @@ def triangulate_boundary(warped: Warped, warping: Warping, tracer: Tracer) -> Bo
     Block faces: greatest height among the triangulations without an angle above 135 degrees.
     Linear time: each face has at most 7 nodes.
     """
-    touched = [*warped.traced.faces, *_touched_rectangles(warped, tracer)]
+    touched = [*warped.traced.faces, *touched_rectangles(warped, tracer)]
     faces: list[WarpedFace] = []
     for source, face in enumerate(touched):
         for ring in warping.rings(face.ring):
             nodes = tuple(node for node, _ in ring)
             points = [point for _, point in ring]
-            found = best_triangulation(points, HIGHEST_WITHIN_135) if face.block >= 0 else None
-            if found is None:
-                found = best_triangulation(points, HIGHEST)
-            if found is None:
-                raise UntriangulatedFace(f"face {source} with nodes {nodes}")
-            triangles = tuple((nodes[i], nodes[j], nodes[k]) for i, j, k in found.triangles)
+            demands = (HIGHEST_WITHIN_135, HIGHEST) if face.block >= 0 else (HIGHEST,)
+            triangles = triangulated(nodes, points, demands)
             faces.append(WarpedFace(nodes, face.block, source, triangles))
     return BoundaryMesh(warped, tuple(touched), tuple(faces))
 
 
-def _touched_rectangles(warped: Warped, tracer: Tracer) -> Iterator[Face]:
+def triangulated(
+    nodes: Sequence[Node], points: Sequence[HPoint], demands: Sequence[Demand]
+) -> tuple[tuple[Node, Node, Node], ...]:
+    """The best triangulation of a warped face by the first demand that can be kept.
+
+    A checker reports a face that does not keep the first.
+    """
+    for demand in demands:
+        found = best_triangulation(points, demand)
+        if found:
+            return tuple((nodes[i], nodes[j], nodes[k]) for i, j, k in found.triangles)
+    raise UntriangulatedFace(f"face with nodes {tuple(nodes)}")
+
+
+def touched_rectangles(warped: Warped, tracer: Tracer) -> Iterator[Face]:
     """The rectangles without a piece of boundary, one of whose corners has moved."""
     for node in sorted(warped.moved):
         for heading in (EAST, NORTH, WEST, SOUTH):

@@ -44,7 +44,8 @@ def lop(polygon: Polygon, triangulation: Triangulation) -> Lopped:
     polygon : Polygon
         P, validated.
     triangulation : Triangulation
-        Any triangulation of P, for finding nearest visible vertices.
+        The constrained Delaunay triangulation of P, as `triangulate_polygon` makes it: it
+        finds nearest visible vertices.
 
     Returns
     -------

@@ -314,3 +314,76 @@ class BoundaryMesh:
     warped: Warped
     touched: tuple[Face, ...]
     faces: tuple[WarpedFace, ...]
+
+
+class MergedFace(NamedTuple):
+    """A merged face M of Lemma 4, before anything is projected onto its edge.
+
+    Parameters
+    ----------
+    edge : int
+        The edge e of P'.
+    faces : tuple of int
+        The warped faces merged, from tail to head along e.
+    base : tuple of Node
+        Their nodes on e, from tail to head; those strictly between the ends disappear.
+    staircase : tuple of Node
+        The rest of the boundary, from the first base node to the last, both included.
+    """
+
+    edge: int
+    faces: tuple[int, ...]
+    base: tuple[Node, ...]
+    staircase: tuple[Node, ...]
+
+
+class Projected(NamedTuple):
+    """A merged face cut up by diagonals onto its edge, and triangulated (Lemma 5).
+
+    Parameters
+    ----------
+    merged : MergedFace
+        M.
+    cuts : tuple of (Node, Node)
+        (staircase vertex, its projection on the edge) of every diagonal, along the edge.
+    pieces : tuple of (ring, triangles)
+        From the first base node to the last: the first and the last are the end faces, the
+        others trapezoids.
+    """
+
+    merged: MergedFace
+    cuts: tuple[tuple[Node, Node], ...]
+    pieces: tuple[tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...]], ...]
+
+
+@dataclass(frozen=True)
+class MergedMesh:
+    """The part of P' near the boundary, triangulated without large angles.
+
+    Parameters
+    ----------
+    warped : Warped
+        The stage before.
+    touched : tuple of Face
+        Unwarped, as in `BoundaryMesh`.
+    faces : tuple of WarpedFace
+        The faces that are not merged: those of blocks, and rectangles without boundary edge.
+    projected : tuple of Projected
+        The merged faces.
+    projections : tuple of HPoint
+        The Steiner points on edges, in grid coordinates: point i is the node
+        n' + len(crossings) + i.
+    """
+
+    warped: Warped
+    touched: tuple[Face, ...]
+    faces: tuple[WarpedFace, ...]
+    projected: tuple[Projected, ...]
+    projections: tuple[HPoint, ...]
+
+    def point_of(self, node: Node) -> HPoint:
+        """The final position of any node, in grid coordinates."""
+        first = self.warped.traced.diced.framed.polygon.n + len(self.warped.points)
+        if isinstance(node, int) and node >= first:
+            return self.projections[node - first]
+        return self.warped.point_of(node)
