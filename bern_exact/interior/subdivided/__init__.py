@@ -1,0 +1,1 @@
+"""The interior without large angles: matching subdivided rectangles (Lemmas 6, 7, 8)."""
