@@ -224,7 +224,8 @@ def shown(text: str) -> str:
 
 def _too_long(text: str) -> InputError:
     """The refusal of a number that is too long."""
-    return InputError("number", f"{shown(text)} has more than {MAX_DIGITS:,} digits")
+    message = f"{shown(text)} is too long: an integer has at most {MAX_DIGITS:,} digits"
+    return InputError("number", message)
 
 
 def _why_not_a_number(text: str) -> str:

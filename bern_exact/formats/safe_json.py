@@ -24,6 +24,7 @@ MAX_BYTES = 1 << 30
 """The longest file that is read."""
 
 _FIRST_CHUNK = 1 << 16
+_SHOWN_KEY = 100
 
 
 def load(source: Source) -> Any:
@@ -125,7 +126,8 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(result) < len(pairs):
         counts = Counter(key for key, _ in pairs)
         twice = next(key for key, count in counts.items() if count > 1)
-        raise InputError("syntax", f"an object has the key {shown(twice)} twice", {"key": twice})
+        message = f"an object has the key {shown(twice)} twice"
+        raise InputError("syntax", message, {"key": twice[:_SHOWN_KEY]})
     return result
 
 

@@ -21,7 +21,9 @@ TESTS: list[tuple[Angle, Callable[[mpz, mpz], bool]]] = [
     (angles.ANGLE_135, angles.is_at_most_135),
     (angles.ANGLE_150, angles.is_at_most_150),
 ]
-by_bound = pytest.mark.parametrize(("bound", "is_at_most"), TESTS, ids=["60", "90", "120", "135", "150"])  # fmt: skip # noqa: E501
+by_bound = pytest.mark.parametrize(
+    ("bound", "is_at_most"), TESTS, ids=["60", "90", "120", "135", "150"]
+)
 
 # Beside the bounds: integers near the multiples of sqrt(3) that 60, 120 and 150 degrees are.
 legs = st.integers(-30, 30) | st.integers(-(10**30), 10**30) | st.sampled_from([97, 168, 56, 1351])
