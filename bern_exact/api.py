@@ -18,8 +18,8 @@ from bern_exact.outputs import write_atomically
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import CLASSES
-from bern_exact.theorems.stages import Check, Observer
-from bern_exact.theorems.theorem_1 import Construction, theorem_1
+from bern_exact.theorems.stages import Check, Construction, Observer
+from bern_exact.theorems.theorem_1 import theorem_1
 
 THEOREMS: Mapping[int, Callable[..., Construction]] = {1: theorem_1}
 """The constructions in this version, by theorem."""

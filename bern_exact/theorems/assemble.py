@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
-from bern_exact.boundary.records import BoundaryMesh, Cut, Node, Warped
-from bern_exact.exact.points import HPoint, grid_point
+from gmpy2 import mpq
+
+from bern_exact.boundary.merge import nodes_on_edge
+from bern_exact.boundary.records import Cut, Node, Warped, WarpedFace
+from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.plane.mesh import Mesh, Triangle
 from bern_exact.plane.polygon import Polygon
 
-NodeTriangle = tuple[Node, Node, Node]
+Place = tuple[int | mpq, int | mpq]
+"""A point in grid coordinates: a grid vertex, or a Steiner point of the interior."""
+
+Tagged = tuple[int, tuple[Node, Node, Node]]
+"""(class, triangle): the class as an index into `CLASSES`."""
 
 CLASSES = ("block", "boundary", "interior", "fan")
 """What a triangle comes from: a face of a block, another touched face, Q, a lopped corner."""
@@ -32,7 +40,26 @@ class Assembled:
     classes: tuple[int, ...]
 
 
-def assemble(boundary: BoundaryMesh, interior: Sequence[NodeTriangle]) -> Assembled:
+def boundary_triangles(faces: Iterable[WarpedFace]) -> list[Tagged]:
+    """The triangles of faces near the boundary, each with its class."""
+    return [
+        (0 if face.block >= 0 else 1, triangle) for face in faces for triangle in face.triangles
+    ]
+
+
+def nodes_on_cuts(warped: Warped) -> dict[int, list[Node]]:
+    """For each cut edge of P' its final nodes from tail to head."""
+    cuts = warped.traced.diced.framed.lopped.cuts
+    return {cut.before: nodes_on_edge(warped, cut.before) for cut in cuts}
+
+
+def assemble(
+    warped: Warped,
+    boundary: Sequence[Tagged],
+    interior: Iterable[Sequence[Place]],
+    on_cuts: Mapping[int, Sequence[Node]],
+    projections: Sequence[HPoint] = (),
+) -> Assembled:
     """Put boundary faces, interior triangles and the fans of lopped corners together.
 
     Section 2: "As a final step in the algorithm, each isosceles triangle with Steiner points
@@ -40,10 +67,17 @@ def assemble(boundary: BoundaryMesh, interior: Sequence[NodeTriangle]) -> Assemb
 
     Parameters
     ----------
-    boundary : BoundaryMesh
-        The faces near the boundary.
-    interior : sequence of triples of grid vertices
-        The triangles of Q; their corners may be Steiner points.
+    warped : Warped
+        Where the nodes are.
+    boundary : sequence of (class, triangle)
+        The triangles near the boundary.
+    interior : iterable of triples of points
+        The triangles of Q, in grid coordinates.
+    on_cuts : mapping edge -> nodes
+        The nodes on each cut edge of P' from tail to head.
+    projections : sequence of HPoint
+        Steiner points on edges, in grid coordinates, if there are any: the nodes after the
+        q-vertices.
 
     Returns
     -------
@@ -53,25 +87,27 @@ def assemble(boundary: BoundaryMesh, interior: Sequence[NodeTriangle]) -> Assemb
 
     Notes
     -----
-    Vertices: those of P in input order, the ends of cuts, the q-vertices, the grid
-    vertices by (x, y).  O(m log m) for m triangles.
+    Vertices: those of P in input order, the ends of cuts, the q-vertices, the projections, the
+    points of the interior by (x, y).  O(m log m) for m triangles.
     """
-    tagged: list[tuple[int, NodeTriangle]] = [
-        (0 if face.block >= 0 else 1, triangle)
-        for face in boundary.faces
-        for triangle in face.triangles
-    ]
-    tagged += [(2, triangle) for triangle in interior]
-    warped = boundary.warped
     framed = warped.traced.diced.framed
     lopped = framed.lopped
+    tagged: list[tuple[int, Sequence[Node | Place]]] = [*boundary]
+    tagged += [(2, triangle) for triangle in interior]
     numbers = _Numbering(lopped.polygon, lopped.origin)
     numbers.add(node for _, triangle in tagged for node in triangle)
     triangles = [numbers.triangle(triangle) for _, triangle in tagged]
-    fans = [triangle for cut in lopped.cuts for triangle in _fan(warped, cut, numbers)]
+    fans = [triangle for cut in lopped.cuts for triangle in _fan(cut, on_cuts[cut.before], numbers)]
     back = framed.similarity.inverse()
+    on_edges = (*warped.points, *projections)
     vertices = list(lopped.polygon.points)
-    vertices += [_original(node, warped, lopped.lopped, back.apply) for node in numbers.new]
+    for node in numbers.new:
+        if isinstance(node, tuple):
+            vertices.append(back.apply(hpoint(*node)))
+        elif node < lopped.lopped.n:
+            vertices.append(lopped.lopped.points[node])
+        else:
+            vertices.append(back.apply(on_edges[node - lopped.lopped.n]))
     classes = [tag for tag, _ in tagged] + [3] * len(fans)
     return Assembled(Mesh(tuple(vertices), tuple(triangles + fans)), tuple(classes))
 
@@ -81,10 +117,10 @@ class _Numbering:
 
     def __init__(self, polygon: Polygon, origin: Sequence[int]) -> None:
         self._first = polygon.n
-        self._number: dict[Node, int] = {i: v for i, v in enumerate(origin) if v >= 0}
-        self.new: list[Node] = []
+        self._number: dict[Node | Place, int] = {i: v for i, v in enumerate(origin) if v >= 0}
+        self.new: list[int | Place] = []
 
-    def add(self, nodes: Iterator[Node]) -> None:
+    def add(self, nodes: Iterable[Node | Place]) -> None:
         """Number all these nodes, those that have no number yet in a fixed order."""
         fresh = set(nodes) - self._number.keys()
         numbered = sorted(node for node in fresh if isinstance(node, int))
@@ -92,40 +128,17 @@ class _Numbering:
         for i, node in enumerate(self.new):
             self._number[node] = self._first + i
 
-    def __getitem__(self, node: Node) -> int:
+    def __getitem__(self, node: Node | Place) -> int:
         return self._number[node]
 
-    def triangle(self, nodes: NodeTriangle) -> Triangle:
+    def triangle(self, nodes: Sequence[Node | Place]) -> Triangle:
         """The mesh triangle of three nodes."""
         number = self._number
         return (number[nodes[0]], number[nodes[1]], number[nodes[2]])
 
 
-def _fan(warped: Warped, cut: Cut, numbers: _Numbering) -> Iterator[Triangle]:
+def _fan(cut: Cut, base: Sequence[Node], numbers: _Numbering) -> Iterator[Triangle]:
     """The fan from a lopped corner over all mesh vertices on its base."""
-    base = nodes_on_edge(warped, cut.before)
-    for tail, head in zip(base, base[1:], strict=False):
+    for tail, head in pairwise(base):
         # The base has P' on its left and the corner on its right.
         yield (cut.corner, numbers[head], numbers[tail])
-
-
-def nodes_on_edge(warped: Warped, edge: int) -> list[Node]:
-    """The distinct final nodes on an edge of P' from tail to head."""
-    diced = warped.traced.diced
-    nodes: list[Node] = [edge]
-    ends = [*(warped.image[j] for j in diced.on_edge[edge]), diced.framed.polygon.after[edge]]
-    for node in ends:
-        if node != nodes[-1]:
-            nodes.append(node)
-    return nodes
-
-
-def _original(
-    node: Node, warped: Warped, lopped: Polygon, back: Callable[[HPoint], HPoint]
-) -> HPoint:
-    """The position of a node in the input's coordinates."""
-    if isinstance(node, tuple):
-        return back(grid_point(*node))
-    if node < lopped.n:
-        return lopped.points[node]
-    return back(warped.points[node - lopped.n])

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal, Protocol
 
+from bern_exact.boundary.records import Framed
 from bern_exact.checkers.findings import Finding, demand
+from bern_exact.plane.feature_size import FeatureSize
+from bern_exact.plane.polygon import Polygon
+from bern_exact.theorems.assemble import Assembled
 
 Check = Literal["every-stage", "final", "none"]
 
@@ -25,6 +29,34 @@ class Silent:
         """Ignore it."""
 
 
+@dataclass(frozen=True)
+class Construction:
+    """What a theorem's construction made.
+
+    Parameters
+    ----------
+    polygon : Polygon
+        P.
+    feature : FeatureSize
+        Definition 1 for P.
+    framed : Framed
+        The grid: its unit and rotation.
+    assembled : Assembled
+        The mesh, and where each triangle comes from.
+    records : mapping
+        Every stage's record by its name, in order.
+    findings : sequence of Finding
+        Every claim evaluated.
+    """
+
+    polygon: Polygon
+    feature: FeatureSize
+    framed: Framed
+    assembled: Assembled
+    records: Mapping[str, object]
+    findings: Sequence[Finding]
+
+
 @dataclass
 class Log:
     """The records and findings of a run so far.
@@ -35,10 +67,13 @@ class Log:
         Which claims are evaluated.
     observer : Observer
         Told of each stage.
+    as_printed : bool
+        Whether the sentences that are false as printed are evaluated too.
     """
 
     check: Check
     observer: Observer
+    as_printed: bool = False
     records: dict[str, object] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
 
@@ -55,3 +90,9 @@ class Log:
     def every_stage(self) -> bool:
         """Are all claims to be checked?"""
         return self.check == "every-stage"
+
+    def construction(
+        self, polygon: Polygon, feature: FeatureSize, framed: Framed, assembled: Assembled
+    ) -> Construction:
+        """The run's result."""
+        return Construction(polygon, feature, framed, assembled, self.records, self.findings)
