@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gmpy2 import mpq, mpz
+from gmpy2 import isqrt, mpq, mpz
 
 # Section 3, Lemmas 6 to 8 -----------------------------------------------------------
 
@@ -31,20 +31,24 @@ def tiling_triangles(on_boundary: int) -> int:
     return 2 * on_boundary
 
 
-def halving_vertices_hold(vertices: int, edges: int) -> bool:
-    """Is V <= 1.5 N log2 N - 0.5 N (Lemma 6)?  Exactly: 2^(2 V + N) <= N^(3 N).
+def halving_vertices(edges: int) -> int:
+    """The most vertices of Lemma 6's partition: the floor of 1.5 N log2 N - 0.5 N.
 
-    >>> halving_vertices_hold(10, 4), halving_vertices_hold(11, 4)
-    (True, False)
+    Each strip cut off has a long side on the boundary of what was left, no two the same
+    piece of it; that boundary is at most N long, and there are at most 2 log2 N half-steps.
+    Exact: the greatest V with 2^(2 V + N) <= N^(3 N).
+
+    >>> [halving_vertices(edges) for edges in (0, 4, 6, 1000)]
+    [0, 10, 20, 14448]
     """
-    return bool(mpz(1) << (2 * vertices + edges) <= mpz(edges) ** (3 * edges))
+    log = (mpz(edges) ** (3 * edges)).bit_length() - 1
+    return (log - edges) // 2
 
 
-def strips_vertices_hold(vertices: int, edges: int) -> bool:
-    """Is V <= 2 N + N^1.5 (Lemma 8)?  Exactly, by squaring.
+def strips_vertices(edges: int) -> int:
+    """The most vertices of Lemma 8's partition: the floor of 2 N + N^1.5.
 
-    >>> strips_vertices_hold(16, 4), strips_vertices_hold(17, 4)
-    (True, False)
+    >>> [strips_vertices(edges) for edges in (0, 4, 6, 1000)]
+    [0, 16, 26, 33622]
     """
-    beyond = vertices - 2 * edges
-    return beyond <= 0 or beyond * beyond <= edges**3
+    return 2 * edges + int(isqrt(mpz(edges) ** 3))

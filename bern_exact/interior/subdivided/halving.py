@@ -100,14 +100,14 @@ def _cuts_of(piece: Piece, *, early: bool) -> Iterator[Cut]:
     level, step = [piece], 0
     while level:
         step += 1
-        following = []
+        following: list[Piece] = []
         for piece in level:
             if early and piece.is_rectangle():
-                clippings, rest = [piece.whole()], []
+                clippings = [piece.whole()]
             else:
                 clippings, rest = half_step(piece)
+                following += rest
             yield from (_cut(step, clipping, piece.mirrored) for clipping in clippings)
-            following += rest
         level = following
 
 
@@ -149,8 +149,8 @@ def _web(loop: Sequence[GridNode], places: Sequence[GridNode]) -> Web:
     strips, ends = strips_of([loop])
     runs = []
     for strip, (bottom, top) in zip(strips, ends, strict=True):
-        i, start = places[bottom.index - 1]
-        runs.append(Run(strip, i, start, places[top.index][1]))
+        i, start = places[bottom.head - 1]
+        runs.append(Run(strip, i, start, places[top.head][1]))
     walls = _walls(loop)
     chords = [
         (a, b)

@@ -35,10 +35,10 @@ class Strip(NamedTuple):
 
 
 class End(NamedTuple):
-    """A boundary edge that ends a strip: edge `index - 1` to `index` of a loop."""
+    """A boundary edge that ends a strip: from vertex `head - 1` to `head` of a loop."""
 
     loop: int
-    index: int
+    head: int
 
 
 class Strips:
@@ -84,9 +84,9 @@ class Strips:
         return tuple(lines)
 
     def chords(self) -> list[tuple[int, int]]:
-        """All pairs of strips (one ends where the other begins) with a common piece, by (line, low).
+        """All pairs of strips, one ending where the other begins, with a common piece.
 
-        The piece is max(lows) to min(highs).  Walls of slits are not looked at.
+        By (line, low).  The piece is max(lows) to min(highs).  Walls of slits are not looked at.
         """
         pairs = []
         for line in sorted(self._by_near.keys() & self._by_far.keys()):

@@ -1,0 +1,91 @@
+"""Lemma 6's halving, against its claims and against cells counted one by one."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from bern_exact.checkers.findings import demand
+from bern_exact.checkers.lemma_6 import check_lemma_6
+from bern_exact.checkers.lemma_7 import check_lemma_7
+from bern_exact.interior.records import Rectilinear
+from bern_exact.interior.subdivided.halving import HasHoles, count_halving, halving
+from bern_exact.interior.subdivided.records import Partition
+from bern_exact.interior.subdivided.rectangle import tile
+from tests.interior.regions import Cells, cell_sets, cells_of, grown, regions, unit_region
+
+
+def vertices(partition: Partition) -> int:
+    """Distinct vertices, and one more for each second sector at a touching vertex."""
+    points = {p for rectangle in partition.rectangles for p in rectangle.ring()}
+    corners = [p for loop in partition.region.loops for p in loop]
+    return len(points) + len(corners) - len(set(corners))
+
+
+@given(regions(holes=False), st.booleans())
+def test_every_claim_of_lemma_6_holds(region: Rectilinear, squares: bool) -> None:
+    demand(check_lemma_6(halving(region, squares=squares)))
+
+
+@given(regions(holes=False))
+def test_every_rectangle_can_be_triangulated(region: Rectilinear) -> None:
+    demand(check_lemma_7(tile(halving(region))))
+
+
+@given(cell_sets(holes=False), st.booleans())
+def test_each_cell_lies_in_one_rectangle(cells: Cells, squares: bool) -> None:
+    partition = halving(unit_region(cells), squares=squares)
+    found = Counter(cell for r in partition.rectangles for cell in cells_of(r))
+    assert found == Counter(cells)
+
+
+@given(regions(holes=False), st.booleans())
+def test_counting_needs_no_building(region: Rectilinear, squares: bool) -> None:
+    partition = halving(region, squares=squares)
+    assert count_halving(region, squares=squares) == vertices(partition)
+
+
+@given(regions(holes=False))
+def test_only_coincidence_and_order_of_coordinates_count(region: Rectilinear) -> None:
+    stretched = Rectilinear(
+        tuple(tuple((3 * x + 7, 10 * y - 1) for x, y in loop) for loop in region.loops)
+    )
+    wanted = [
+        (3 * r.x0 + 7, 3 * r.x1 + 7, 10 * r.y0 - 1, 10 * r.y1 - 1)
+        for r in halving(region).rectangles
+    ]
+    assert [r[:4] for r in halving(stretched).rectangles] == wanted
+
+
+@pytest.mark.parametrize("size", [100, 3000])
+@pytest.mark.parametrize("squares", [False, True])
+def test_large_regions(size: int, squares: bool) -> None:
+    partition = halving(unit_region(grown(size, size)), squares=squares)
+    demand(check_lemma_6(partition))
+    demand(check_lemma_7(tile(partition)))
+
+
+def test_the_boundary_does_not_grow_where_even_parity_makes_it() -> None:
+    notched = frozenset((i, j) for i in range(6) for j in range(4)) - {(2, 3)}
+    partition = halving(unit_region(notched, every_line=True))
+    boundary = next(f for f in check_lemma_6(partition) if f.claim == "lemma-6.boundary")
+    assert partition.region.edges == boundary.measured == 22
+
+
+def test_a_rectangle_stays_whole() -> None:
+    whole = ((0, 0), (9, 0), (9, 2), (9, 7), (0, 7), (0, 2))
+    partition = halving(Rectilinear((whole,)))
+    assert [r[:5] for r in partition.rectangles] == [(0, 9, 0, 7, (2,))]
+
+
+def test_a_hole_is_refused() -> None:
+    frame = frozenset((i, j) for i in range(3) for j in range(3)) - {(1, 1)}
+    with pytest.raises(HasHoles):
+        halving(unit_region(frame))
+
+
+def test_nothing_gives_nothing() -> None:
+    assert halving(Rectilinear(())).rectangles == ()
