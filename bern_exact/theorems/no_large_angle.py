@@ -1,0 +1,91 @@
+"""What Theorems 2 and 3 share: the faces along the boundary, and the rectangles inside."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from gmpy2 import mpq
+
+from bern_exact.boundary.merge import merge_boundary, nodes_on_edge
+from bern_exact.boundary.records import MergedMesh, Node
+from bern_exact.checkers.definition_2 import check_definition_2
+from bern_exact.checkers.lemma_7 import check_lemma_7
+from bern_exact.interior.records import Rectilinear
+from bern_exact.interior.rectilinear import interior
+from bern_exact.interior.subdivided.records import Partition, Tiled
+from bern_exact.interior.subdivided.rectangle import tile
+from bern_exact.theorems.assemble import (
+    Assembled,
+    Place,
+    Tagged,
+    assemble,
+    boundary_triangles,
+)
+from bern_exact.theorems.prepare import Prepared
+from bern_exact.theorems.stages import Log
+
+
+def treat_boundary(prepared: Prepared, log: Log, tau: mpq) -> tuple[MergedMesh, Rectilinear]:
+    """Merge and project along the boundary (Lemmas 4 and 5); Q is what is left."""
+    merged = merge_boundary(prepared.warped, prepared.warping, prepared.tracer, tau)
+    log.done("merged", merged)
+    region = interior(face.ring for face in merged.touched)
+    log.done("interior", region)
+    if log.every_stage:
+        log.demand(check_definition_2(region))
+    return merged, region
+
+
+def tile_rectangles(partition: Partition, log: Log) -> Tiled:
+    """Triangulate every rectangle of the partition (Lemma 7)."""
+    tiled = tile(partition)
+    log.done("tiled", tiled)
+    if log.every_stage:
+        log.demand(check_lemma_7(tiled))
+    return tiled
+
+
+def put_together(prepared: Prepared, merged: MergedMesh, tiled: Tiled, log: Log) -> Assembled:
+    """The mesh in the input's coordinates."""
+    assembled = assemble(
+        prepared.warped,
+        [*boundary_triangles(merged.faces), *_projected_triangles(merged)],
+        _interior_triangles(tiled),
+        _nodes_on_cuts(merged),
+        merged.projections,
+    )
+    log.done("mesh", assembled)
+    return assembled
+
+
+def _projected_triangles(merged: MergedMesh) -> Iterator[Tagged]:
+    """The triangles of merged faces."""
+    for face in merged.projected:
+        for _, triangles in face.pieces:
+            for triangle in triangles:
+                yield 1, triangle
+
+
+def _interior_triangles(tiled: Tiled) -> Iterable[tuple[Place, ...]]:
+    """The triangles of all rectangles, in grid units."""
+    for tiling in tiled.tilings:
+        for triangle in tiling.triangles:
+            yield tuple((_half(x), _half(y)) for x, y in triangle)
+
+
+def _half(doubled: int) -> int | mpq:
+    """Half of an integer, as an integer where it is one: grid vertices are pairs of int."""
+    return mpq(doubled, 2) if doubled % 2 else doubled // 2
+
+
+def _nodes_on_cuts(merged: MergedMesh) -> Mapping[int, list[Node]]:
+    """For each cut edge of P' its final nodes: merged faces have traded some for projections."""
+    cuts = merged.warped.traced.diced.framed.lopped.cuts
+    on_cuts = {cut.before: nodes_on_edge(merged.warped, cut.before) for cut in cuts}
+    for face in merged.projected:
+        nodes = on_cuts.get(face.merged.edge)
+        if nodes is not None:
+            base = face.merged.base
+            start, end = nodes.index(base[0]), nodes.index(base[-1])
+            nodes[start + 1 : end] = [projection for _, projection in face.cuts]
+    return on_cuts

@@ -1,0 +1,75 @@
+"""Theorem 2: a simple polygon into O(n log n) triangles without an angle above 150 degrees.
+
+The proof of Theorem 2, stage by stage: lop, dice and warp (Section 2), "then repair boundary faces
+as in Lemma 5.  We merge all interior rectangles, and apply Lemmas 6 and 7 to the merged region."
+"""
+
+from __future__ import annotations
+
+from bern_exact.checkers.lemma_6 import check_lemma_6
+from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
+from bern_exact.exact.errors import InputError
+from bern_exact.interior.subdivided.halving import halving
+from bern_exact.plane.polygon import Polygon
+from bern_exact.theorems.no_large_angle import put_together, tile_rectangles, treat_boundary
+from bern_exact.theorems.prepare import prepare
+from bern_exact.theorems.stages import Check, Construction, Log, Observer, Silent
+from bern_exact.theorems.threshold import threshold_for
+
+DEGREES_150 = parse_angle_bound("150")
+
+
+def theorem_2(
+    polygon: Polygon,
+    *,
+    max_angle: AngleBound = DEGREES_150,
+    squares: bool = False,
+    check: Check = "every-stage",
+    as_printed: bool = False,
+    observer: Observer | None = None,
+) -> Construction:
+    """Triangulate a simple polygon into O(n log n) triangles of bounded angle and good height.
+
+    Theorem 2: "In time O(n log n), an n-vertex simple polygon can be triangulated into
+    O(n log n) triangles of height Omega(s) and maximum angle 150 degrees."
+
+    Parameters
+    ----------
+    polygon : Polygon
+        Valid and without holes.
+    max_angle : AngleBound
+        Above 135, at most 150 degrees.
+    squares : bool
+        Cut the paper's unit squares off in Lemma 6 instead of whole strips.
+    check, as_printed, observer
+        As in `theorem_1`.
+
+    Raises
+    ------
+    InputError
+        Kind `has-holes`.
+    BoundOutOfReach
+        If no threshold gives the angle bound.
+    LemmaViolation
+        If a guarantee fails.
+    """
+    if polygon.holes:
+        raise InputError(
+            "has-holes",
+            f"Theorem 2 is for simple polygons and this one has {polygon.holes} holes: "
+            "Theorem 3 is meant",
+            {"ring": 1},
+        )
+    tau = threshold_for(max_angle)
+    log = Log(check, observer or Silent(), as_printed)
+    prepared = prepare(polygon, log, tau)
+    merged, region = treat_boundary(prepared, log, tau)
+
+    partition = halving(region, squares=squares)
+    log.done("partition", partition)
+    if log.every_stage:
+        log.demand(check_lemma_6(partition))
+
+    tiled = tile_rectangles(partition, log)
+    assembled = put_together(prepared, merged, tiled, log)
+    return log.construction(polygon, prepared.feature, prepared.framed, assembled)
