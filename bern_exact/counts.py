@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from bern_exact.boundary.records import BoundaryMesh, Diced, Lopped, Traced, Warped
+from bern_exact.boundary.records import BoundaryMesh, Diced, Lopped, MergedMesh, Traced, Warped
 from bern_exact.interior.records import Rectilinear, Swept
+from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.theorems.assemble import Assembled
 
 
@@ -65,6 +66,27 @@ def _swept(record: Swept) -> dict[str, int]:
     }
 
 
+def _merged(record: MergedMesh) -> dict[str, int]:
+    pieces = [triangles for face in record.projected for _, triangles in face.pieces]
+    return {
+        "merged_faces": len(record.projected),
+        "projections": len(record.projections),
+        "other_faces": len(record.faces),
+        "triangles": sum(map(len, pieces)) + sum(len(face.triangles) for face in record.faces),
+    }
+
+
+def _partition(record: Partition) -> dict[str, int]:
+    return {"rectangles": len(record.rectangles)}
+
+
+def _tiled(record: Tiled) -> dict[str, int]:
+    return {
+        "added": sum(len(tiling.steiner) for tiling in record.tilings),
+        "triangles": sum(len(tiling.triangles) for tiling in record.tilings),
+    }
+
+
 def _mesh(record: Assembled) -> dict[str, int]:
     return {"vertices": len(record.mesh.vertices), "triangles": len(record.mesh.triangles)}
 
@@ -75,6 +97,9 @@ _COUNTS: dict[type, Callable[[Any], dict[str, int]]] = {
     Traced: _traced,
     Warped: _warped,
     BoundaryMesh: _boundary,
+    MergedMesh: _merged,
+    Partition: _partition,
+    Tiled: _tiled,
     Rectilinear: _interior,
     Swept: _swept,
     Assembled: _mesh,

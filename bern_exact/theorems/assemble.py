@@ -20,8 +20,11 @@ Place = tuple[int | mpq, int | mpq]
 Tagged = tuple[int, tuple[Node, Node, Node]]
 """(class, triangle): the class as an index into `CLASSES`."""
 
-CLASSES = ("block", "boundary", "interior", "fan")
-"""What a triangle comes from: a face of a block, another touched face, Q, a lopped corner."""
+CLASSES = ("block", "boundary", "merged", "interior", "rectangle", "fan")
+"""What a triangle comes from: a face of a block, another touched face, a merged face, Q swept or
+cut into rectangles, a lopped corner."""
+
+BLOCK, BOUNDARY, MERGED, INTERIOR, RECTANGLE, FAN = range(len(CLASSES))
 
 
 @dataclass(frozen=True)
@@ -43,7 +46,9 @@ class Assembled:
 def boundary_triangles(faces: Iterable[WarpedFace]) -> list[Tagged]:
     """The triangles of faces near the boundary, each with its class."""
     return [
-        (0 if face.block >= 0 else 1, triangle) for face in faces for triangle in face.triangles
+        (BLOCK if face.block >= 0 else BOUNDARY, triangle)
+        for face in faces
+        for triangle in face.triangles
     ]
 
 
@@ -56,7 +61,7 @@ def nodes_on_cuts(warped: Warped) -> dict[int, list[Node]]:
 def assemble(
     warped: Warped,
     boundary: Sequence[Tagged],
-    interior: Iterable[Sequence[Place]],
+    interior: Iterable[tuple[int, Sequence[Place]]],
     on_cuts: Mapping[int, Sequence[Node]],
     projections: Sequence[HPoint] = (),
 ) -> Assembled:
@@ -71,8 +76,8 @@ def assemble(
         Where the nodes are.
     boundary : sequence of (class, triangle)
         The triangles near the boundary.
-    interior : iterable of triples of points
-        The triangles of Q, in grid coordinates.
+    interior : iterable of (class, triangle)
+        The triangles of Q, by points in grid coordinates.
     on_cuts : mapping edge -> nodes
         The nodes on each cut edge of P' from tail to head.
     projections : sequence of HPoint
@@ -92,8 +97,7 @@ def assemble(
     """
     framed = warped.traced.diced.framed
     lopped = framed.lopped
-    tagged: list[tuple[int, Sequence[Node | Place]]] = [*boundary]
-    tagged += [(2, triangle) for triangle in interior]
+    tagged: list[tuple[int, Sequence[Node | Place]]] = [*boundary, *interior]
     numbers = _Numbering(lopped.polygon, lopped.origin)
     numbers.add(node for _, triangle in tagged for node in triangle)
     triangles = [numbers.triangle(triangle) for _, triangle in tagged]
@@ -108,7 +112,7 @@ def assemble(
             vertices.append(lopped.lopped.points[node])
         else:
             vertices.append(back.apply(on_edges[node - lopped.lopped.n]))
-    classes = [tag for tag, _ in tagged] + [3] * len(fans)
+    classes = [tag for tag, _ in tagged] + [FAN] * len(fans)
     return Assembled(Mesh(tuple(vertices), tuple(triangles + fans)), tuple(classes))
 
 

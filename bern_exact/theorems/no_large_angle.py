@@ -15,6 +15,8 @@ from bern_exact.interior.rectilinear import interior
 from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.interior.subdivided.rectangle import tile
 from bern_exact.theorems.assemble import (
+    MERGED,
+    RECTANGLE,
     Assembled,
     Place,
     Tagged,
@@ -63,14 +65,14 @@ def _projected_triangles(merged: MergedMesh) -> Iterator[Tagged]:
     for face in merged.projected:
         for _, triangles in face.pieces:
             for triangle in triangles:
-                yield 1, triangle
+                yield MERGED, triangle
 
 
-def _interior_triangles(tiled: Tiled) -> Iterable[tuple[Place, ...]]:
+def _interior_triangles(tiled: Tiled) -> Iterable[tuple[int, tuple[Place, ...]]]:
     """The triangles of all rectangles, in grid units."""
     for tiling in tiled.tilings:
         for triangle in tiling.triangles:
-            yield tuple((_half(x), _half(y)) for x, y in triangle)
+            yield RECTANGLE, tuple((_half(x), _half(y)) for x, y in triangle)
 
 
 def _half(doubled: int) -> int | mpq:

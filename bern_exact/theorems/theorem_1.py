@@ -18,7 +18,7 @@ from bern_exact.interior.rectilinear import interior
 from bern_exact.interior.sweep import sweep
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.polygon import Polygon
-from bern_exact.theorems.assemble import assemble, boundary_triangles, nodes_on_cuts
+from bern_exact.theorems.assemble import INTERIOR, assemble, boundary_triangles, nodes_on_cuts
 from bern_exact.theorems.prepare import prepare
 from bern_exact.theorems.stages import Check, Construction, Log, Observer, Silent
 
@@ -78,7 +78,7 @@ def theorem_1(
     assembled = assemble(
         prepared.warped,
         boundary_triangles(boundary.faces),
-        [triangle for column in swept.columns for triangle in column.triangles],
+        [(INTERIOR, triangle) for column in swept.columns for triangle in column.triangles],
         nodes_on_cuts(prepared.warped),
     )
     log.done("mesh", assembled)

@@ -14,7 +14,9 @@ SCALES = {1000: ".001", 20: ".05"}
 
 COLOURS = {
     "interior": ("#eef3f6", "#b6c5cf"),
+    "rectangle": ("#e9eef8", "#a9b7d6"),
     "boundary": ("#f8e8c4", "#c9a657"),
+    "merged": ("#f6efc9", "#bfae55"),
     "block": ("#f3cda5", "#bf7f45"),
     "fan": ("#d5e8d0", "#7fa876"),
     "mesh": ("#eef3f6", "#b6c5cf"),
@@ -23,7 +25,9 @@ COLOURS = {
 
 LABELS = {
     "interior": "inside: two sweeps (Lemma 3)",
+    "rectangle": "inside: rectangles (Lemmas 6 to 8)",
     "boundary": "faces along the boundary (Lemma 2)",
+    "merged": "merged along an edge (Lemma 5)",
     "block": "faces round a vertex (Lemma 2)",
     "fan": "lopped corners (Lemma 1)",
     "mesh": "triangles",

@@ -17,11 +17,13 @@ from bern_exact.boundary.records import (
     Framed,
     Interval,
     Lopped,
+    MergedMesh,
     Node,
     Traced,
 )
 from bern_exact.exact.points import HPoint, grid_point, hpoint
 from bern_exact.interior.records import Rectilinear, Swept
+from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import CLASSES, Assembled
 from bern_exact.view.canvas import DETAIL, Plane, Window, path_data
@@ -138,6 +140,40 @@ def _meshed(record: BoundaryMesh) -> list[Layer]:
     return [Layer("boundary", rings[False]), Layer("block", rings[True]), *_framed(framed)]
 
 
+def _merged(record: MergedMesh) -> list[Layer]:
+    """Merged faces whole, their diagonals on top, and what is not merged."""
+    at = record.point_of
+    rings: dict[bool, list[list[HPoint]]] = {False: [], True: []}
+    for face in record.faces:
+        rings[face.block >= 0].append([at(node) for node in face.ring])
+    merged = [
+        [at(node) for node in (face.merged.base[0], *reversed(face.merged.staircase[1:]))]
+        for face in record.projected
+    ]
+    diagonals = [[at(a), at(b)] for face in record.projected for a, b in face.cuts]
+    return [
+        Layer("boundary", rings[False]),
+        Layer("block", rings[True]),
+        Layer("merged", merged),
+        Layer("line", diagonals),
+        *_framed(record.warped.traced.diced.framed),
+    ]
+
+
+def _partition(record: Partition) -> list[Layer]:
+    rectangles = [[grid_point(*node) for node in r.ring()] for r in record.rectangles]
+    return [Layer("rectangle", rectangles), *_region(record.region)]
+
+
+def _tiled(record: Tiled) -> list[Layer]:
+    triangles = [
+        [hpoint(mpq(x, 2), mpq(y, 2)) for x, y in corners]
+        for tiling in record.tilings
+        for corners in tiling.triangles
+    ]
+    return [Layer("rectangle", triangles), *_region(record.partition.region)]
+
+
 def _region(record: Rectilinear) -> list[Layer]:
     return [Layer("outline", [[grid_point(*node) for node in loop] for loop in record.loops])]
 
@@ -165,6 +201,9 @@ _PAINTERS: dict[type, Callable[..., list[Layer]]] = {
     Diced: _diced,
     Traced: _traced,
     BoundaryMesh: _meshed,
+    MergedMesh: _merged,
+    Partition: _partition,
+    Tiled: _tiled,
     Rectilinear: _region,
     Swept: _swept,
     Assembled: _assembled,
