@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
 from gmpy2 import mpq
 
@@ -29,6 +30,9 @@ from bern_exact.boundary.warp import Warping
 from bern_exact.exact.points import HPoint
 
 Ring = tuple[Node, ...]
+
+Objective = Literal["height", "angle"]
+"""What Lemma 5's pieces are best at: the greatest least height, or the least largest angle."""
 
 
 def nodes_on_edge(warped: Warped, edge: int) -> list[Node]:
@@ -150,6 +154,9 @@ def merge_boundary(warped: Warped, warping: Warping, tracer: Tracer, tau: mpq = 
         For the rectangles without a piece of boundary.
     tau : mpq
         The threshold of warping: no angle exceeds 135 degrees + arctan(2 tau).
+    objective : {"height", "angle"}
+        Choose the diagonals for the greatest least height within the angle bound, or for the
+        least largest angle with heights of at least tau / sqrt 2.
     """
     touched = (*warped.traced.faces, *touched_rectangles(warped, tracer))
     rings: list[Ring] = []
@@ -161,7 +168,7 @@ def merge_boundary(warped: Warped, warping: Warping, tracer: Tracer, tau: mpq = 
     merger = Merger(warped, rings, [touched[source].block for source in sources])
     polygon = warped.traced.diced.framed.polygon
     first = polygon.n + len(warped.points)
-    wanted = (Demand(largest_kappa(tau)), Demand())
+    wanted = _demands(tau, objective)
     projected: list[Projected] = []
     projections: list[HPoint] = []
     for edge in range(polygon.n):
@@ -180,6 +187,13 @@ def merge_boundary(warped: Warped, warping: Warping, tracer: Tracer, tau: mpq = 
             demands = (HIGHEST_WITHIN_135, *wanted) if block >= 0 else wanted
             faces.append(WarpedFace(nodes, block, source, triangulated(nodes, points, demands)))
     return MergedMesh(warped, touched, tuple(faces), tuple(projected), tuple(projections))
+
+
+def _demands(tau: mpq, objective: Objective) -> tuple[Demand, ...]:
+    """What a piece must keep, in order of preference; the last can always be kept."""
+    kappa = largest_kappa(tau)
+    by_height = (Demand(kappa), Demand())
+    return by_height if objective == "height" else (Demand(kappa, tau * tau / 2, True), *by_height)
 
 
 def largest_kappa(tau: mpq) -> mpq:

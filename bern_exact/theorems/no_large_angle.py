@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.merge import merge_boundary, nodes_on_edge
+from bern_exact.boundary.merge import Objective, merge_boundary, nodes_on_edge
 from bern_exact.boundary.records import MergedMesh, Node
 from bern_exact.checkers.definition_2 import check_definition_2
 from bern_exact.checkers.lemma_7 import check_lemma_7
@@ -27,9 +27,11 @@ from bern_exact.theorems.prepare import Prepared
 from bern_exact.theorems.stages import Log
 
 
-def treat_boundary(prepared: Prepared, log: Log, tau: mpq) -> tuple[MergedMesh, Rectilinear]:
+def treat_boundary(
+    prepared: Prepared, log: Log, tau: mpq, objective: Objective
+) -> tuple[MergedMesh, Rectilinear]:
     """Merge and project along the boundary (Lemmas 4 and 5); Q is what is left."""
-    merged = merge_boundary(prepared.warped, prepared.warping, prepared.tracer, tau)
+    merged = merge_boundary(prepared.warped, prepared.warping, prepared.tracer, tau, objective)
     log.done("merged", merged)
     region = interior(face.ring for face in merged.touched)
     log.done("interior", region)

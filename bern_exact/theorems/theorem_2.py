@@ -6,6 +6,7 @@ as in Lemma 5.  We merge all interior rectangles, and apply Lemmas 6 and 7 to th
 
 from __future__ import annotations
 
+from bern_exact.boundary.merge import Objective
 from bern_exact.checkers.lemma_6 import check_lemma_6
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
@@ -23,6 +24,7 @@ def theorem_2(
     polygon: Polygon,
     *,
     max_angle: AngleBound = DEGREES_150,
+    objective: Objective = "height",
     squares: bool = False,
     check: Check = "every-stage",
     as_printed: bool = False,
@@ -39,6 +41,8 @@ def theorem_2(
         Valid and without holes.
     max_angle : AngleBound
         Above 135, at most 150 degrees.
+    objective : {"height", "angle"}
+        What the pieces along the boundary are best at, within both bounds.
     squares : bool
         Cut the paper's unit squares off in Lemma 6 instead of whole strips.
     check, as_printed, observer
@@ -63,7 +67,7 @@ def theorem_2(
     tau = threshold_for(max_angle)
     log = Log(check, observer or Silent(), as_printed)
     prepared = prepare(polygon, log, tau)
-    merged, region = treat_boundary(prepared, log, tau)
+    merged, region = treat_boundary(prepared, log, tau, objective)
 
     partition = halving(region, squares=squares)
     log.done("partition", partition)
