@@ -4,26 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from gmpy2 import mpq, mpz
+from gmpy2 import mpq
 
-from bern_exact.boundary.records import BoundaryMesh, Node, WarpedFace
+from bern_exact.boundary.records import Node, WarpedFace
 from bern_exact.checkers import bounds
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
-from bern_exact.checkers.places import Places, cotangent, squared_height, squared_length
+from bern_exact.checkers.places import Places, cotangents, squared_height, squared_length
+from bern_exact.checkers.rings import NearBoundary, places_of
 
 STAGE = "boundary"
 
 NodeTriangle = tuple[Node, Node, Node]
 
 
-def check_lemma_2(mesh: BoundaryMesh, *, tau: mpq = bounds.TAU) -> list[Finding]:
+def check_lemma_2(mesh: NearBoundary, *, tau: mpq = bounds.TAU) -> list[Finding]:
     """Check Lemma 2 (corner rule and height repaired) on every triangle near the boundary.
 
     Parameters
     ----------
-    mesh : BoundaryMesh
-        The warped faces and their triangles.
+    mesh : BoundaryMesh or MergedMesh
+        The warped faces and their triangles; merged faces are Lemma 5's.
     tau : mpq
         The snapping threshold in grid units.
 
@@ -32,7 +33,7 @@ def check_lemma_2(mesh: BoundaryMesh, *, tau: mpq = bounds.TAU) -> list[Finding]
     An angle is compared by its cotangent, which is rational and falls as
     the angle grows: 135 degrees is -1.  Linear time.
     """
-    places = Places(mesh.warped)
+    places = places_of(mesh)
     untiled, largest, shortest = Violations(), Extreme(), Extreme()
     block_height, height = Extreme(), Extreme()
     for number, face in enumerate(mesh.faces):
@@ -87,20 +88,13 @@ def check_lemma_2(mesh: BoundaryMesh, *, tau: mpq = bounds.TAU) -> list[Finding]
 def _measure_block(
     number: int, face: WarpedFace, places: Places, largest: Extreme, shortest: Extreme
 ) -> None:
-    """Angles and edges of a block face's triangles.
-
-    A clockwise or flat triangle counts as an angle of 180 degrees and more:
-    its cotangent is below any bound.
-    """
+    """Angles and edges of a block face's triangles."""
     for triangle in face.triangles:
         corners = [places[node] for node in triangle]
-        for i, apex in enumerate(corners):
-            before, after = corners[i - 1], corners[i - 2]
-            inner, area = cotangent(before, apex, after)
-            if area <= 0:
-                inner, area = -abs(inner) - 2, mpz(1)
-            largest.offer(inner, area, (number, triangle))
-            shortest.offer(*squared_length(apex, after), (number, triangle))
+        for num, den in cotangents(*corners):
+            largest.offer(num, den, (number, triangle))
+        for i, corner in enumerate(corners):
+            shortest.offer(*squared_length(corners[i - 1], corner), (number, triangle))
 
 
 def tiles(ring: Sequence[Node], triangles: Sequence[NodeTriangle]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from gmpy2 import mpq, mpz
@@ -19,17 +20,20 @@ class Places(dict[Node, HPoint]):
     warped : Warped
         Its `image` and `points` say where vertices and crossings are; a grid vertex
         that did not move is where it was.
+    projections : sequence of HPoint
+        The Steiner points on edges of a `MergedMesh`, the nodes after all crossings.
     """
 
-    def __init__(self, warped: Warped) -> None:
+    def __init__(self, warped: Warped, projections: Sequence[HPoint] = ()) -> None:
         super().__init__(enumerate(warped.traced.diced.framed.polygon.points))
         n = len(self)
         for j, image in enumerate(warped.image):
             if image == n + j:
                 self[image] = warped.points[j]
+        self.update(enumerate(projections, n + len(warped.image)))
 
     def __missing__(self, node: Node) -> HPoint:
-        """Called for what is neither a vertex nor a final crossing: a grid vertex.
+        """Called for what is no vertex, final crossing or projection: a grid vertex.
 
         Raises
         ------
@@ -98,3 +102,15 @@ def cotangent(before: HPoint, apex: HPoint, after: HPoint) -> tuple[mpz, mpz]:
     ux, uy = ax * ow - ox * aw, ay * ow - oy * aw
     vx, vy = bx * ow - ox * bw, by * ow - oy * bw
     return ux * vx + uy * vy, ux * vy - uy * vx
+
+
+def cotangents(p: HPoint, q: HPoint, r: HPoint) -> Iterator[tuple[mpz, mpz]]:
+    """The cotangents of a triangle's three angles as unreduced fractions, at p, q and r.
+
+    A clockwise or flat triangle counts as angles of 180 degrees and more: what it
+    yields is -2 or less, below any bound.
+    """
+    corners = (p, q, r)
+    for i, apex in enumerate(corners):
+        inner, area = cotangent(corners[i - 1], apex, corners[i - 2])
+        yield (inner, area) if area > 0 else (-abs(inner) - 2, mpz(1))

@@ -3,16 +3,25 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.records import BoundaryMesh, GridNode, Node, Warped, WarpedFace
+from bern_exact.boundary.records import GridNode, Node, Warped
 from bern_exact.checkers import bounds
 from bern_exact.checkers.dicing import squares
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.places import Places, squared_length
+from bern_exact.checkers.rings import (
+    NearBoundary,
+    Ring,
+    boundary_edge,
+    cancelled,
+    measured_rings,
+    outline_rings,
+    places_of,
+)
 from bern_exact.exact.points import HPoint, direction, grid_point
 from bern_exact.exact.predicates import is_in_wedge, side
 from bern_exact.interior.records import Rectilinear
@@ -168,13 +177,13 @@ def is_inside_edge(polygon: Polygon, edge: int, p: HPoint) -> bool:
     return bool(from_a * from_b < 0)
 
 
-def check_faces(mesh: BoundaryMesh, region: Rectilinear, *, tau: mpq = bounds.TAU) -> list[Finding]:
+def check_faces(mesh: NearBoundary, region: Rectilinear, *, tau: mpq = bounds.TAU) -> list[Finding]:
     """Check the faces near the boundary after warping (Section 2 and Lemma 2's first half).
 
     Parameters
     ----------
-    mesh : BoundaryMesh
-        The touched faces, before and after warping.
+    mesh : BoundaryMesh or MergedMesh
+        The touched faces, before and after warping; faces that were merged are found again.
     region : Rectilinear
         Q, which covers the rest of P'.
     tau : mpq
@@ -185,12 +194,12 @@ def check_faces(mesh: BoundaryMesh, region: Rectilinear, *, tau: mpq = bounds.TA
     Linear time, but for hashing.
     """
     shapes = _Shapes(mesh)
-    for number, face in enumerate(mesh.faces):
-        shapes.add(number, face)
+    for number, (ring, block) in enumerate(measured_rings(mesh)):
+        shapes.add(number, ring, block)
     return [*_check_moved(mesh), *shapes.findings(tau), _check_area(mesh, region, shapes)]
 
 
-def _check_moved(mesh: BoundaryMesh) -> list[Finding]:
+def _check_moved(mesh: NearBoundary) -> list[Finding]:
     """How many corners of each face move, before faces split or vanish."""
     moved, n = mesh.warped.moved, mesh.warped.traced.diced.framed.polygon.n
     by_vertices, outside = Extreme(greatest=True), Extreme(greatest=True)
@@ -219,33 +228,17 @@ def _check_moved(mesh: BoundaryMesh) -> list[Finding]:
 class _Shapes:
     """Edge lengths, slopes, corners and sides of the warped faces, in one pass."""
 
-    def __init__(self, mesh: BoundaryMesh) -> None:
-        self.places = Places(mesh.warped)
-        diced = mesh.warped.traced.diced
-        self.before = diced.framed.polygon.before
-        self.n = diced.framed.polygon.n
-        self.edge_of = [q.edge for q in diced.crossings]
+    def __init__(self, mesh: NearBoundary) -> None:
+        self.places = places_of(mesh)
+        self.warped = mesh.warped
         self.shortest = Extreme()
         self.steepest = Extreme(greatest=True)
         self.most_sides = Extreme(greatest=True)
         self.bent = Violations()
 
-    def boundary_edge(self, a: Node, b: Node) -> int:
-        """The edge of P' on which both final nodes lie, -1 if there is none."""
-        if isinstance(a, tuple) or isinstance(b, tuple):
-            return -1
-        shared = [e for e in self._edges(a) if e in self._edges(b)]
-        return shared[0] if shared else -1
-
-    def _edges(self, node: int) -> tuple[int, ...]:
-        if node < self.n:
-            return node, self.before[node]
-        return (self.edge_of[node - self.n],)
-
-    def add(self, number: int, face: WarpedFace) -> None:
+    def add(self, number: int, ring: Ring, block: int) -> None:
         """Measure one face."""
-        outside = face.block < 0
-        ring = face.ring
+        outside = block < 0
         points = [self.places[node] for node in ring]
         runs = []
         for i, a in enumerate(ring):
@@ -254,7 +247,7 @@ class _Shapes:
             self.shortest.offer(*squared_length(p, q), (number, (a, b)))
             dx, dy = run = direction(p, q)
             runs.append(run)
-            if outside and self.boundary_edge(a, b) < 0:
+            if outside and boundary_edge(self.warped, a, b) < 0:
                 low, high = sorted((abs(dx), abs(dy)))
                 self.steepest.offer(low, high or 1, (number, (a, b)))
         if outside:
@@ -297,7 +290,7 @@ class _Shapes:
         ]
 
 
-def _check_area(mesh: BoundaryMesh, region: Rectilinear, shapes: _Shapes) -> Finding:
+def _check_area(mesh: NearBoundary, region: Rectilinear, shapes: _Shapes) -> Finding:
     """Faces and Q together have exactly the area of P', by cancelling edges.
 
     Each directed edge must cancel against its reverse, but for those that make
@@ -306,15 +299,11 @@ def _check_area(mesh: BoundaryMesh, region: Rectilinear, shapes: _Shapes) -> Fin
     with no sum of rationals.  It says more: face by face, sides fit exactly.
     """
     broken = Violations()
-    rings: Iterable[Sequence[Node]] = (
-        *(face.ring for face in mesh.faces),
-        *region.loops,
-    )
-    open_edges = _cancelled(rings, broken)
+    open_edges = cancelled((*outline_rings(mesh), *region.loops), broken)
     polygon = mesh.warped.traced.diced.framed.polygon
     onward: dict[tuple[int, Node], int] = {}
     for a, b in open_edges:
-        edge = shapes.boundary_edge(a, b)
+        edge = boundary_edge(mesh.warped, a, b)
         if edge < 0 or isinstance(b, tuple):
             broken.broken((None, (a, b)))
         else:
@@ -331,23 +320,6 @@ def _check_area(mesh: BoundaryMesh, region: Rectilinear, shapes: _Shapes) -> Fin
         "area is that of P' exactly",
         describe=shapes.places.describe,
     )
-
-
-def _cancelled(
-    rings: Iterable[Sequence[Node]], broken: Violations
-) -> dict[tuple[Node, Node], None]:
-    """The directed edges of the rings that no reverse cancels, in a fixed order."""
-    left: dict[tuple[Node, Node], None] = {}
-    for ring in rings:
-        for i, b in enumerate(ring):
-            a = ring[i - 1]
-            if (b, a) in left:
-                del left[b, a]
-            elif (a, b) in left:
-                broken.broken((None, (a, b)))
-            else:
-                left[a, b] = None
-    return left
 
 
 def _runs_along(
