@@ -77,14 +77,33 @@ def around(v: Vector, out: Vector, into: Vector, far: int = 0) -> list[Vector]:
     The edge along `out` is just above 8 long, that along `into` just above 9.
     """
     first, last = _step(v, out, mpq(8)), _step(v, into, mpq(9))
+    if out[0] * into[1] > out[1] * into[0] and 2 * _dot(out, into) > -_length(out) * _length(into):
+        # Narrow: a pentagon whose far corners are obtuse.
+        return [v, first, *_far_side(v, out, into), last]
     after = _step(_step(first, (-out[1], out[0]), mpq(20)), out, mpq(8 + far))
     before = _step(_step(last, (into[1], -into[0]), mpq(20)), into, mpq(9))
     return [v, first, after, *_round(v, after, before), before, last]
 
 
+def _far_side(v: Vector, out: Vector, into: Vector) -> list[Vector]:
+    """Two corners that close a narrow wedge."""
+    return [
+        _step(_step(v, out, along), into, across)
+        for along, across in ((mpq(39, 2), mpq(12)), (mpq(12), mpq(20)))
+    ]
+
+
+def _dot(u: Vector, v: Vector) -> mpq:
+    return u[0] * v[0] + u[1] * v[1]
+
+
+def _length(u: Vector) -> mpq:
+    return sqrt_below(_dot(u, u), 16)
+
+
 def _round(v: Vector, after: Vector, before: Vector) -> list[Vector]:
     """Far points counter-clockwise from one direction to another, where they are far apart."""
-    compass = [(40, 0), (40, 40), (0, 40), (-40, 40), (-40, 0), (-40, -40), (0, -40), (40, -40)]
+    compass = ((41, 3), (37, 44), (-5, 47), (-43, 38), (-40, -7), (-36, -45), (6, -42), (39, -46))
     a, b = (after[0] - v[0], after[1] - v[1]), (before[0] - v[0], before[1] - v[1])
     start = max(range(8), key=lambda i: _turn_key(a, compass[i]))
     found = []
