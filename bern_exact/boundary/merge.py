@@ -137,7 +137,13 @@ class Merger:
         return MergedFace(edge, tuple(run.faces), tuple(run.base), tuple(reversed(run.chain)))
 
 
-def merge_boundary(warped: Warped, warping: Warping, tracer: Tracer, tau: mpq = TAU) -> MergedMesh:
+def merge_boundary(
+    warped: Warped,
+    warping: Warping,
+    tracer: Tracer,
+    tau: mpq = TAU,
+    objective: Objective = "height",
+) -> MergedMesh:
     """The faces near the boundary, triangulated without large angles.
 
     Section 3: the faces along each edge are merged (Lemma 4) and cut by diagonals
