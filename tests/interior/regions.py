@@ -9,7 +9,7 @@ from itertools import accumulate
 from hypothesis import strategies as st
 
 from bern_exact.interior.records import GridNode, Rectilinear
-from bern_exact.interior.subdivided.records import SubdividedRectangle
+from bern_exact.interior.subdivided.records import Partition, SubdividedRectangle
 
 Cells = frozenset[GridNode]
 """Cell (i, j) is [i, i + 1] x [j, j + 1]."""
@@ -137,6 +137,13 @@ def cells_of(rectangle: SubdividedRectangle) -> list[GridNode]:
     """The unit cells of a rectangle."""
     x0, x1, y0, y1 = rectangle[:4]
     return [(i, j) for i in range(x0, x1) for j in range(y0, y1)]
+
+
+def surface_vertices(partition: Partition) -> int:
+    """Distinct vertices, and one more for each second sector where the region touches itself."""
+    points = {p for rectangle in partition.rectangles for p in rectangle.ring()}
+    corners = [p for loop in partition.region.loops for p in loop]
+    return len(points) + len(corners) - len(set(corners))
 
 
 GRID_LINES = st.lists(st.integers(1, 9), min_size=8, max_size=8).map(

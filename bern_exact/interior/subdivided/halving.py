@@ -14,7 +14,13 @@ from typing import NamedTuple
 
 from bern_exact.interior.records import GridNode, Rectilinear
 from bern_exact.interior.subdivided.erosion import Clipping, Piece, Run, Web, half_step
-from bern_exact.interior.subdivided.lattice import Lattice, Strips, mirrored, strips_of
+from bern_exact.interior.subdivided.lattice import (
+    Lattice,
+    Strips,
+    mirrored,
+    strips_of,
+    vertices_by_euler,
+)
 from bern_exact.interior.subdivided.records import Partition, SubdividedRectangle
 
 
@@ -190,10 +196,7 @@ def _squares(r: SubdividedRectangle) -> Iterator[SubdividedRectangle]:
 
 
 def count_vertices(region: Rectilinear, pieces: Iterator[Cut], *, squares: bool = False) -> int:
-    """The vertices of a partition, by Euler's formula V - E + F = components - holes.
-
-    Each edge is a side of two rectangles, or of one and of the region.
-    """
+    """The vertices of the partition into these rectangles."""
     faces = sides = 0
     for cut in pieces:
         if squares:
@@ -202,6 +205,4 @@ def count_vertices(region: Rectilinear, pieces: Iterator[Cut], *, squares: bool 
             faces, sides = faces + number, sides + number * 4 * side
         else:
             faces, sides = faces + 1, sides + 2 * (cut.across + cut.along)
-    columns = Strips(strips_of(region.loops)[0])
-    euler = len(columns.strips) - len(columns.chords())
-    return (sides + region.edges) // 2 - faces + euler
+    return vertices_by_euler(region, faces, sides)

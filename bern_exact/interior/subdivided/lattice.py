@@ -158,6 +158,44 @@ def strips_of(loops: Loops) -> tuple[list[Strip], list[tuple[End, End]]]:
     return strips, ends
 
 
+def components(region: Rectilinear) -> tuple[Rectilinear, ...]:
+    """The connected components of a region, holes with what they are in.
+
+    A column joins the loops at its two ends.  That is enough: from the top of a hole a
+    column leads to a loop that reaches higher.
+
+    Notes
+    -----
+    By their first loops.  O(N log N).
+    """
+    parent = list(range(len(region.loops)))
+
+    def root(loop: int) -> int:
+        while parent[loop] != loop:
+            parent[loop] = loop = parent[parent[loop]]
+        return loop
+
+    for bottom, top in strips_of(region.loops)[1]:
+        first, second = sorted((root(bottom.loop), root(top.loop)))
+        parent[second] = first
+    members: dict[int, list[tuple[GridNode, ...]]] = {}
+    for number, loop in enumerate(region.loops):
+        members.setdefault(root(number), []).append(loop)
+    return tuple(Rectilinear(tuple(loops)) for loops in members.values())
+
+
+def vertices_by_euler(region: Rectilinear, faces: int, sides: int) -> int:
+    """V of a partition into `faces` rectangles with `sides` edges in all, by Euler's formula.
+
+    V - E + F = components - holes, which is columns minus vertical chords; each edge is a side
+    of two rectangles, or of one and of the region.  A vertex where the region touches itself
+    counts once for each sector.
+    """
+    columns = Strips(strips_of(region.loops)[0])
+    euler = len(columns.strips) - len(columns.chords())
+    return (sides + region.edges) // 2 - faces + euler
+
+
 @dataclass(frozen=True)
 class Lattice:
     """A region's columns and rows.

@@ -13,16 +13,16 @@ from bern_exact.checkers.lemma_6 import check_lemma_6
 from bern_exact.checkers.lemma_7 import check_lemma_7
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.subdivided.halving import HasHoles, count_halving, halving
-from bern_exact.interior.subdivided.records import Partition
 from bern_exact.interior.subdivided.rectangle import tile
-from tests.interior.regions import Cells, cell_sets, cells_of, grown, regions, unit_region
-
-
-def vertices(partition: Partition) -> int:
-    """Distinct vertices, and one more for each second sector at a touching vertex."""
-    points = {p for rectangle in partition.rectangles for p in rectangle.ring()}
-    corners = [p for loop in partition.region.loops for p in loop]
-    return len(points) + len(corners) - len(set(corners))
+from tests.interior.regions import (
+    Cells,
+    cell_sets,
+    cells_of,
+    grown,
+    regions,
+    surface_vertices,
+    unit_region,
+)
 
 
 @given(regions(holes=False), st.booleans())
@@ -45,7 +45,7 @@ def test_each_cell_lies_in_one_rectangle(cells: Cells, squares: bool) -> None:
 @given(regions(holes=False), st.booleans())
 def test_counting_needs_no_building(region: Rectilinear, squares: bool) -> None:
     partition = halving(region, squares=squares)
-    assert count_halving(region, squares=squares) == vertices(partition)
+    assert count_halving(region, squares=squares) == surface_vertices(partition)
 
 
 @given(regions(holes=False))
