@@ -5,8 +5,8 @@ from __future__ import annotations
 from bern_exact.checkers.extremes import Extreme
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.interior_bounds import halving_vertices
-from bern_exact.checkers.matching import Edge, check_matching, check_vertices, edges_of
-from bern_exact.interior.subdivided.records import Partition
+from bern_exact.checkers.matching import check_matching, check_vertices, edges_of
+from bern_exact.interior.subdivided.records import Edge, Partition
 
 STAGE = "partition"
 
@@ -17,14 +17,16 @@ def check_lemma_6(partition: Partition) -> tuple[Finding, ...]:
     Parameters
     ----------
     partition : Partition
-        Of a region without holes.
+        Of a region without holes, or one that bridges have made so; then N counts both sides
+        of the slits.
 
     Returns
     -------
     tuple of Finding
         `lemma-6.matching`, `.shared`, `.vertices`, `.boundary`.
     """
-    edges = partition.region.edges
+    # A slit has two sides.
+    edges = partition.region.edges + 2 * len(partition.bridges)
     return (
         *check_matching(partition, "lemma-6", STAGE),
         check_vertices(

@@ -7,10 +7,7 @@ from itertools import pairwise
 
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
-from bern_exact.interior.records import GridNode
-from bern_exact.interior.subdivided.records import Partition, SubdividedRectangle
-
-Edge = tuple[GridNode, GridNode]
+from bern_exact.interior.subdivided.records import Edge, Partition, SubdividedRectangle
 
 
 def check_matching(partition: Partition, lemma: str, stage: str) -> tuple[Finding, ...]:

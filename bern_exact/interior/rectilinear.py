@@ -40,10 +40,18 @@ def interior(touched: Iterable[Sequence[object]]) -> Rectilinear:
             previous = ring[i - 1]
             if isinstance(node, tuple) and isinstance(previous, tuple):
                 darts.add((previous, node))
+    return chained((head, tail) for tail, head in darts if (head, tail) not in darts)
+
+
+def chained(darts: Iterable[Dart]) -> Rectilinear:
+    """The region that these directed edges bound, interior on the left.
+
+    Where it touches itself its sectors are kept apart.  An edge in both directions
+    is a slit.  O(n log n).
+    """
     outgoing: dict[GridNode, dict[int, GridNode]] = {}
     for tail, head in darts:
-        if (head, tail) not in darts:
-            outgoing.setdefault(head, {})[_heading(head, tail)] = tail
+        outgoing.setdefault(tail, {})[_heading(tail, head)] = head
     return Rectilinear(tuple(_loops(outgoing)))
 
 

@@ -13,6 +13,9 @@ from typing import NamedTuple
 
 from bern_exact.interior.records import GridNode, Rectilinear
 
+Edge = tuple[GridNode, GridNode]
+"""An edge of the lattice, between neighbouring points."""
+
 HalfNode = tuple[int, int]
 """A point in half grid units: (2 x, 2 y)."""
 
@@ -66,11 +69,14 @@ class Partition:
     steps : tuple of int
         For each rectangle the half-step of Lemma 6 in which it was cut off, from 1: what is
         left after k half-steps is the union of those with a step above k.  0 with Lemma 8.
+    bridges : tuple of Edge
+        Where Q was slit to join its holes to the boundary before Lemma 6.
     """
 
     region: Rectilinear
     rectangles: tuple[SubdividedRectangle, ...]
     steps: tuple[int, ...]
+    bridges: tuple[Edge, ...] = ()
 
 
 class Tiling(NamedTuple):

@@ -17,6 +17,7 @@ from gmpy2 import isqrt, mpz
 from bern_exact.interior.records import GridNode, Rectilinear
 from bern_exact.interior.subdivided.lattice import Lattice, Strips, vertices_by_euler
 from bern_exact.interior.subdivided.records import Partition
+from bern_exact.interior.subdivided.sweep_count import Sweep
 
 
 class Reflex(NamedTuple):
@@ -187,43 +188,10 @@ def _merged(columns: Strips, cut: Sequence[bool], drawn: Sequence[set[int]]) -> 
 
 
 def _rows_crossed(rows: Strips, boxes: Sequence[Box]) -> int:
-    """How many rows all left sides cross in sum: one sweep, from left to right.
-
-    A row [low, high] x [near, far] is there for sides with low <= x < high.
-    """
-    lines = sorted({row.near for row in rows.strips})
-    place = {line: i for i, line in enumerate(lines)}
-    active = _Counts(len(lines))
-    starting = sorted(rows.strips, key=lambda row: row.low, reverse=True)
-    ending = sorted(rows.strips, key=lambda row: row.high, reverse=True)
+    """How many rows all left sides cross in sum: one sweep, from left to right."""
+    sweep = Sweep(rows)
     total = 0
     for box in sorted(boxes):
-        while starting and starting[-1].low <= box.x0:
-            active.add(place[starting.pop().near], 1)
-        while ending and ending[-1].high <= box.x0:
-            active.add(place[ending.pop().near], -1)
-        top, bottom = bisect_left(lines, box.y1), bisect_left(lines, box.y0)
-        total += active.below(top) - active.below(bottom)
+        sweep.advance(box.x0)
+        total += sweep.count(box.y0, box.y1)
     return total
-
-
-class _Counts:
-    """How many there are at each of `size` places: a Fenwick tree."""
-
-    def __init__(self, size: int) -> None:
-        self._sums = [0] * (size + 1)
-
-    def add(self, place: int, amount: int) -> None:
-        """So many more at a place."""
-        i = place + 1
-        while i < len(self._sums):
-            self._sums[i] += amount
-            i += i & -i
-
-    def below(self, place: int) -> int:
-        """How many there are at the places before this one."""
-        total, i = 0, place
-        while i:
-            total += self._sums[i]
-            i &= i - 1
-        return total
