@@ -107,7 +107,7 @@ def verdict_lines(verdict: Verdict) -> list[str]:
         ]
         named = zip(ANGLE_WORDS, verdict.angle_classes.values(), strict=True)
         lines.append("largest angles " + ", ".join(f"{word}: {k:,}" for word, k in named))
-    return lines + [f"{defect.kind}: {defect.message}" for defect in verdict.defects]
+    return lines + [defect.sentence for defect in verdict.defects]
 
 
 def facts_lines(facts: Facts) -> list[str]:

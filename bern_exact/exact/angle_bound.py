@@ -14,13 +14,13 @@ from functools import lru_cache
 from gmpy2 import mpq, mpz
 
 from bern_exact.exact.angles import Angle
+from bern_exact.exact.enclosures import cos_degrees_bounds
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import parse_rational
 
 _EXACT = {0: mpq(1), 30: mpq(3, 4), 45: mpq(1, 2), 60: mpq(1, 4), 90: mpq(0)}
 _MOST_CHARACTERS = 1_000
 _FIRST_BITS = 64
-_DECIMALS = 9
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +122,7 @@ def _angle(signed_square: mpq) -> Angle:
 
 @lru_cache(maxsize=1024)
 def signed_square_bounds(degrees: mpq, bits: int) -> tuple[mpq, mpq]:
-    """Rationals around cos |cos| of an angle of 0 to 180 degrees, about 2^-bits apart.
+    """Rationals at most 2^(1 - bits) apart around cos |cos| of an angle of 0 to 180 degrees.
 
     Equal for the multiples of 30 and of 45 degrees.
     """
@@ -131,82 +131,6 @@ def signed_square_bounds(degrees: mpq, bits: int) -> tuple[mpq, mpq]:
         return -high, -low
     if degrees in _EXACT:
         return _EXACT[int(degrees)], _EXACT[int(degrees)]
-    pi_low, pi_high = _pi_bounds(bits)
-    one = mpz(1) << bits
-    low = _cosine_sum(mpq(_ceiling(degrees * pi_high / 180 * one), one), bits, odd=True)
-    high = _cosine_sum(mpq(_floor(degrees * pi_low / 180 * one), one), bits, odd=False)
-    return low * abs(low), high * abs(high)
-
-
-def _floor(value: mpq) -> mpz:
-    return value.numerator // value.denominator
-
-
-def _ceiling(value: mpq) -> mpz:
-    return -_floor(-value)
-
-
-def _cosine_sum(x: mpq, bits: int, *, odd: bool) -> mpq:
-    """The series of cos x, 0 <= x < 1.6, to an odd term (too small) or an even one (too large).
-
-    The terms alternate in sign and fall from the second one on.
-    """
-    total = term = mpq(1)
-    square, k, small = x * x, 0, mpq(1) / (mpz(1) << bits)
-    while term > small or (k % 2 == 1) != odd:
-        k += 1
-        term *= square / ((2 * k - 1) * (2 * k))
-        total += -term if k % 2 else term
-    return total
-
-
-@lru_cache(maxsize=16)
-def _pi_bounds(bits: int) -> tuple[mpq, mpq]:
-    """Rationals around pi, by Machin's formula 16 arctan(1/5) - 4 arctan(1/239)."""
-    one = mpz(1) << bits
-    # Fewer than `bits` terms in each series, each rounded by less than 1.
-    value = 16 * _arctangent_of_inverse(5, one) - 4 * _arctangent_of_inverse(239, one)
-    return mpq(value - 20 * bits, one), mpq(value + 20 * bits, one)
-
-
-def _arctangent_of_inverse(n: int, one: mpz) -> mpz:
-    """About `one` arctan(1/n)."""
-    total, power, k = mpz(0), one // n, 0
-    while power:
-        total += -(power // (2 * k + 1)) if k % 2 else power // (2 * k + 1)
-        power //= n * n
-        k += 1
-    return total
-
-
-def degrees_enclosure(angle: Angle) -> tuple[str, str]:
-    """The two nearest billionths of degrees around an angle; equal if it is one.
-
-    >>> degrees_enclosure(Angle(-1, mpq(1, 2)))
-    ('135', '135')
-    >>> degrees_enclosure(Angle(-1, mpq(9, 25)))
-    ('126.869897645', '126.869897646')
-    """
-    unit = 10**_DECIMALS
-    low, above = 0, 180 * unit + 1  # at least low, less than above
-    while above - low > 1:
-        middle = (low + above) // 2
-        if _is_below(angle, mpq(middle, unit)):
-            above = middle
-        else:
-            low = middle
-    exact = signed_square_bounds(mpq(low, unit), _FIRST_BITS) == (angle.signed_square,) * 2
-    return _decimal(low), _decimal(low if exact else low + 1)
-
-
-def _is_below(angle: Angle, degrees: mpq) -> bool:
-    """Is the angle less than so many degrees?"""
-    low, high = signed_square_bounds(degrees, _FIRST_BITS)
-    if low == high:
-        return bool(angle.signed_square > high)
-    return AngleBound("", degrees, None).admits(angle)  # equality cannot occur
-
-
-def _decimal(billionths: int) -> str:
-    whole, part = divmod(billionths, 10**_DECIMALS)
-    return f"{whole}.{part:0{_DECIMALS}}".rstrip("0").rstrip(".")
+    low, high = cos_degrees_bounds(degrees, bits)
+    low, high = max(low, mpq(0)), min(high, mpq(1))  # at most 1, so that it has a cotangent
+    return low * low, high * high

@@ -229,15 +229,32 @@ def sqrt_enclosure(q: mpq, digits: int = 12) -> tuple[str, str]:
     return _tight(lambda bits: sqrt_bounds(q, bits), digits)
 
 
-def degrees_enclosure(angle: Angle, digits: int = 9) -> tuple[str, str]:
-    """The neighbouring decimals of so many significant digits around an angle in degrees.
+def degrees_enclosure(angle: Angle, places: int = 9) -> tuple[str, str]:
+    """The neighbouring decimals of so many places after the point around an angle in degrees.
 
     Equal for 0, 30, 45, 60, 90, 120, 135, 150 and 180 degrees, and for no other angle.
 
-    >>> degrees_enclosure(Angle(-1, mpq(3, 4))), degrees_enclosure(Angle(1, mpq(16, 25)), 5)
-    (('150', '150'), ('36.869', '36.87'))
+    >>> degrees_enclosure(Angle(-1, mpq(3, 4))), degrees_enclosure(Angle(-1, mpq(9, 25)))
+    (('150', '150'), ('126.869897645', '126.869897646'))
     """
-    return _tight(lambda bits: degrees_bounds(angle, bits), digits)
+    unit = 10**places
+    low, high, bits = 0, 2, 4 * places + 16
+    while high - low > 1:  # ends, as an irrational angle lies strictly between neighbours
+        ends = degrees_bounds(angle, bits)
+        low, high = int(_floor(ends[0] * unit)), -int(_floor(-ends[1] * unit))
+        bits *= 2
+    return _in_places(low, places), _in_places(high, places)
+
+
+def _floor(q: mpq) -> mpz:
+    """The greatest integer that is at most q."""
+    return q.numerator // q.denominator
+
+
+def _in_places(scaled: int, places: int) -> str:
+    """The decimal scaled / 10^places, scaled >= 0."""
+    whole, part = divmod(scaled, 10**places)
+    return f"{whole}.{part:0{places}}".rstrip("0").rstrip(".")
 
 
 def decimal_enclosure(low: mpq, high: mpq, digits: int = 12) -> tuple[str, str]:

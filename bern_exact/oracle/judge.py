@@ -24,15 +24,15 @@ and the triangle across ab overlaps those at v: a contradiction.  So triangles m
 vertices and common edges only.  (In (a) the polygon's own vertices are asked for besides.)
 
 What follows a first defect is diagnosis: it names and places the rest and decides nothing.  An
-angle is known by cos |cos|, a rational that falls as the angle grows.  Bounds in degrees are
-decided by certified enclosures, refined until they decide: the squared cosine of a rational number
-of degrees is irrational but for the multiples of 30 and 45 (Niven), which are taken exactly.
+angle is known by cos |cos|, a rational that falls as the angle grows.  In degrees it is enclosed as
+tightly as it takes to decide, which ends: by Niven's theorem no angle with a rational squared
+cosine is a rational number of degrees but the multiples of 30 and 45, which are known exactly.
+`feature_size_squared` and `within_tolerance` are left null here.
 """
 
 from __future__ import annotations
 
 import argparse
-import functools
 import json
 import re
 import sys
@@ -44,35 +44,12 @@ from typing import Any
 
 Point = tuple[Fraction, Fraction]
 Piece = tuple[Point, Point, int, dict[str, Any]]  # from, to, how often, whose
-Spot = tuple[Point, Point, Point]  # m, d, n: the point m + e n + e^2 d for all small e > 0
 
 DIGITS, EXPONENT, ANGLE_TEXT = 100_000, 10_000, 1_000
-NUMBER = re.compile(
-    r"([+-]?)(?=\.?\d)(\d*)(?:/(\d+)|(?:\.(\d*))?(?:[eE]\+?(-?)0*(\d{1,9}))?)", re.ASCII
-)
-KNOWN = {n: Fraction(c, 4) for n, c in ((0, 4), (30, 3), (45, 2), (60, 1), (90, 0))}
+NUMBER = re.compile(r"[+-]?(?=\.?\d)(\d*)(?:/(\d+)|(?:\.(\d*))?(?:[eE]([+-]?\d+))?)", re.ASCII)
+KNOWN = {Fraction(c, 4): a for a, c in ((0, 4), (30, 3), (45, 2), (60, 1), (90, 0))}
+KNOWN |= {-square: 180 - degrees for square, degrees in KNOWN.items()}  # cos |cos| to degrees
 CLASSES = {"le60": 1, "le90": 0, "le120": -1, "le135": -2, "le150": -3}  # 4 cos |cos|
-DEFECTS = {
-    "index-out-of-range": "triangle {triangle} names a vertex that is not there",
-    "repeated-index": "triangle {triangle} names a vertex twice",
-    "duplicate-vertex": "vertex {vertex} is at the same point as vertex {first}",
-    "unused-vertex": "no triangle uses vertex {vertex}",
-    "degenerate-triangle": "the corners of triangle {triangle} lie on one line",
-    "clockwise-triangle": "triangle {triangle} runs clockwise",
-    "edge-used-twice": "triangles {triangles} lie on the same side of edge {edge}",
-    "polygon-vertex-missing": "the mesh has no vertex at polygon vertex {polygon_vertex}",
-    "boundary-vertex-off-edge": "boundary vertex {vertex} lies on no edge of the polygon",
-    "hanging-vertex": "vertex {vertex} lies inside edge {edge}",
-    "crossing-edges": "the boundary edges {edge} and {other} cross",
-    "boundary-not-simple": "the boundary edges {edge} and {other} cross",
-    "overlap": "{covered} triangles cover the same place at {point}",
-    "triangle-outside": "a triangle lies outside the polygon at {point}",
-    "hole-filled": "a triangle lies in a hole of the polygon at {point}",
-    "region-not-covered": "no triangle covers the polygon at {point}",
-    "angle-above-bound": "triangle {triangle} has an angle above {bound}",
-    "height-below-bound": "triangle {triangle} has a squared height below {bound}",
-    "too-many-triangles": "there are {triangles} triangles, more than {bound}",
-}
 
 
 class Unreadable(ValueError):
@@ -81,19 +58,16 @@ class Unreadable(ValueError):
 
 def number(value: object, place: str) -> Fraction:
     """An exact rational: an integer, or the text "-12", "p/q" or "-1.5e-3"."""
-    if type(value) is int:
-        return Fraction(value)
-    match = NUMBER.fullmatch(value) if isinstance(value, str) else None
+    text = str(value) if type(value) in (int, str) else ""
+    match = NUMBER.fullmatch(text)
     if match is None:
         raise Unreadable(f"{place}: not an exact number: {str(value)[:40]!r}")
-    sign, whole, below, decimals, down, power = match.groups(default="")
-    if max(len(whole) + len(decimals), len(below)) > DIGITS or int(power or "0") > EXPONENT:
+    whole, below, decimals, power = match.groups(default="")
+    if max(len(whole) + len(decimals), len(below), len(power)) > DIGITS:
         raise Unreadable(f"{place}: the number is too long")
-    top, bottom = int(sign + whole + decimals), int(below or "1") * 10 ** len(decimals)
-    if bottom == 0:
-        raise Unreadable(f"{place}: division by zero")
-    scale = 10 ** int(power or "0")
-    return Fraction(top, bottom * scale) if down else Fraction(top * scale, bottom)
+    if abs(int(power or "0")) > EXPONENT or int(below or "1") == 0:
+        raise Unreadable(f"{place}: too large an exponent, or division by zero")
+    return Fraction(text)
 
 
 def items(value: object, place: str, length: int | None = None) -> Sequence[Any]:
@@ -119,23 +93,23 @@ def document(value: object, kind: str) -> dict[str, Any]:
     return value
 
 
-def read_polygon(value: object) -> tuple[list[Point], list[Piece], int]:
-    """A simple polygon: its vertices, its edges with the interior left, how many are outer."""
-    polygon, corners, edges, counts = document(value, "polygon"), list[Point](), list[Piece](), [0]
-    for r, ring in enumerate([polygon.get("outer"), *items(polygon.get("holes", []), "holes")]):
+def read_polygon(value: object) -> tuple[list[Point], list[Piece]]:
+    """A simple polygon: its vertices, and its edges with the interior on the left."""
+    polygon, corners, edges = document(value, "polygon"), list[Point](), list[Piece]()
+    rings = [polygon.get("outer"), *items(polygon.get("holes", []), "holes")]
+    for r, ring in enumerate(rings):
         at = points(ring, f"ring {r}")
         around = list(pairwise([*at, *at[:1]]))
         forward = (sum(p[0] * q[1] - p[1] * q[0] for p, q in around) > 0) == (r == 0)
         for i, (p, q) in enumerate(around):
             edges.append((*((p, q) if forward else (q, p)), 1, {"polygon_edge": [r, i]}))
         corners += at
-        counts.append(len(at))
-    starts = [edges[sum(counts[: r + 1])] for r, n in enumerate(counts[1:]) if n > 2]
-    covers = [winding(edges, spot) for p, q, *_ in starts for spot in beside(p, q)]
-    proper = covers == [1, 0] * (len(counts) - 1) and len(set(corners)) == len(corners)
+    first = [(p, q) for p, q, _, where in edges if where["polygon_edge"][1] == 0]
+    covers = [winding(edges, p, q, left) for p, q in first for left in (True, False)]
+    proper = covers == [1, 0] * len(rings) and len(set(corners)) == len(corners)
     if not proper or conflicts(edges):
         raise Unreadable("the polygon is not simple, or a hole is not inside")
-    return corners, edges, counts[1]
+    return corners, edges
 
 
 def turn(p: Point, q: Point, r: Point) -> Fraction:
@@ -156,23 +130,18 @@ def line(p: Point, q: Point) -> tuple[Fraction, ...]:
     return slope, p[1] - slope * p[0]
 
 
-def beside(p: Point, q: Point) -> Iterator[Spot]:
-    """The spots just left and just right of the middle of pq."""
-    (x, y), m = (q[0] - p[0], q[1] - p[1]), ((p[0] + q[0]) / 2, (p[1] + q[1]) / 2)
-    yield m, (x, y), (-y, x)
-    yield m, (x, y), (y, -x)
+def winding(pieces: Sequence[Piece], p: Point, q: Point, left: bool) -> int:
+    """How often the pieces wind round a spot just left, or just right, of the middle m of pq.
 
-
-def winding(pieces: Sequence[Piece], spot: Spot) -> int:
-    """How often the pieces wind round a spot: those that the ray from it in direction +x meets."""
-    m, d, n = spot
-    above, total = (n[1] or d[1]) > 0, 0
-    for p, q, times, _ in pieces:
-        if (p[1] <= m[1]) != (q[1] <= m[1]) if above else (p[1] < m[1]) != (q[1] < m[1]):
-            x, y = q[0] - p[0], q[1] - p[1]
-            left = turn(p, q, m) or x * n[1] - y * n[0] or x * d[1] - y * d[0]
-            if (left > 0) == (y > 0):
-                total += times if y > 0 else -times
+    They are met by the ray from there at right angles to pq; the spot and the ray are shifted by
+    next to nothing towards q, so that ends on the ray count as behind and what passes m does not.
+    """
+    m, total = ((p[0] + q[0]) / 2, (p[1] + q[1]) / 2), 0
+    for a, b, times, _ in pieces:
+        leaves, enters = dot(m, a, q) > 0, dot(m, b, q) > 0
+        side = turn(a, b, m) if leaves != enters else Fraction(0)
+        if side != 0 and (leaves == (side > 0)) == left:
+            total += times if side > 0 else -times
     return total
 
 
@@ -196,69 +165,60 @@ def conflicts(pieces: Sequence[Piece]) -> set[tuple[str, int, Any]]:
     """("crossing", i, j) for pieces i < j, ("hanging", i, p) for an end p inside piece i."""
     found, active = set[tuple[str, int, Any]](), list[int]()
     boxes = [[sorted(c) for c in zip(p, q, strict=True)] for p, q, *_ in pieces]
-    for j in sorted(range(len(pieces)), key=lambda j: boxes[j][0][0]):
+    for j in sorted(range(len(pieces)), key=boxes.__getitem__):  # a sweep over x
         (left, _), (low, high) = boxes[j]
         active = [i for i in active if boxes[i][0][1] >= left]
         for i in active:
             if boxes[i][1][0] <= high and low <= boxes[i][1][1]:
-                turns = []
-                for k, other in (i, pieces[j]), (j, pieces[i]):
-                    p, q = pieces[k][:2]
-                    turns.append([turn(p, q, u) for u in other[:2]])
-                    for u, side in zip(other[:2], turns[-1], strict=True):
-                        if side == 0 and dot(u, p, q) < 0:
-                            found.add(("hanging", k, u))
-                if all(a * b < 0 for a, b in turns):
+                (p, q), (u, v) = pieces[i][:2], pieces[j][:2]
+                ends = [(i, u, p, q), (i, v, p, q), (j, p, u, v), (j, q, u, v)]
+                turns = [turn(a, b, end) for _, end, a, b in ends]
+                for (k, end, a, b), side in zip(ends, turns, strict=True):
+                    if side == 0 and dot(end, a, b) < 0:
+                        found.add(("hanging", k, end))
+                if turns[0] * turns[1] < 0 and turns[2] * turns[3] < 0:
                     found.add(("crossing", min(i, j), max(i, j)))
         active.append(j)
     return found
 
 
-@functools.cache
-def scaled_pi(bits: int) -> int:
-    """pi 2^bits, less than 20 bits off: Machin's series, each of < bits terms less than 1 off."""
-    pi, one = 0, 1 << bits
-    for factor, n in (16, 5), (-4, 239):
-        powers = ((k, one // n ** (2 * k + 1) // (2 * k + 1)) for k in range(bits))
-        pi += factor * sum(-term if k % 2 else term for k, term in powers)
-    return pi
+def in_degrees(square: Fraction, bits: int) -> tuple[Fraction, Fraction]:
+    """Bounds of the angle a with this cos |cos|, at best 90 / 2^bits apart.
+
+    Replace b = a by 2b if b <= 90, by 360 - 2b if not: cos b becomes 2 cos^2 b - 1, of which its
+    sign is wanted.  It lies between low / one and high / one; b = 0 at a = p, b = 180 at a = q.
+    """
+    if square in KNOWN:
+        return Fraction(KNOWN[square]), Fraction(KNOWN[square])
+    one = 1 << (2 * bits + 4)
+    cosine = (2 * abs(square) - 1) * one
+    low, high = cosine // 1, -(-cosine // 1)
+    p, q = Fraction(180 if square < 0 else 0), Fraction(90)
+    for _ in range(bits):
+        if low <= 0 <= high:
+            break
+        p, q = (q if high < 0 else p), (p + q) / 2
+        least, most = sorted((low * low, high * high))
+        low, high = 2 * least // one - one, -(-2 * most // one) - one
+    return min(p, q), max(p, q)
 
 
-def enclosure(degrees: Fraction, bits: int) -> tuple[Fraction, Fraction]:
-    """Bounds of cos |cos| of so many degrees, 0 to 180: equal for multiples of 30 and 45."""
-    if degrees > 90:
-        low, high = enclosure(180 - degrees, bits)
-        return -high, -low
-    if degrees in KNOWN:
-        return KNOWN[int(degrees)], KNOWN[int(degrees)]
-    one, k = 1 << bits, 0
-    x = scaled_pi(bits) * degrees.numerator // (180 * degrees.denominator)  # < 11 bits off
-    term = total = one
-    while term:  # < bits terms, each less than 8 off; what is left out is less than 8
-        k, term = k + 1, term * x * x // (one * one * (2 * k + 1) * (2 * k + 2))
-        total += -term if k % 2 else term
-    low, high = (Fraction(total + error, one) for error in (-20 * bits, 20 * bits))
-    return low * abs(low), high * abs(high)
-
-
-def compare(square: Fraction, degrees: Fraction) -> int:
-    """-1, 0, 1 as the angle with this cos |cos| is below, at or above so many degrees."""
-    bits = 64
+def is_above(square: Fraction, degrees: Fraction) -> bool:
+    """Is the angle with this cos |cos| larger than so many degrees?"""
+    bits = 16
     while True:
-        low, high = enclosure(degrees, bits)
-        if not low <= square <= high or low == high:
-            return (square < low) - (square > high)
+        low, high = in_degrees(square, bits)
+        if high <= degrees or low > degrees:
+            return low > degrees
         bits *= 2
 
 
 def angle(square: Fraction) -> dict[str, Any]:
     """The angle with this cos |cos|, and the billionths of degrees next to it."""
-    low, high = 0, 180 * 10**9
-    while low < high:
-        middle = (low + high + 1) // 2
-        above = compare(square, Fraction(middle, 10**9)) >= 0
-        low, high = (middle, high) if above else (low, middle - 1)
-    high += compare(square, Fraction(low, 10**9))
+    bits, low, high = 64, 0, 2
+    while high - low > 1:
+        ends = in_degrees(square, bits)
+        bits, low, high = 2 * bits, ends[0] * 10**9 // 1, -(-ends[1] * 10**9 // 1)
     shown = [f"{k // 10**9}.{k % 10**9:09}".rstrip("0").rstrip(".") for k in (low, high)]
     sign = (square > 0) - (square < 0)
     return {"cos_sign": sign, "cos_squared": str(abs(square)), "degrees": shown}
@@ -266,8 +226,8 @@ def angle(square: Fraction) -> dict[str, Any]:
 
 def angle_bound(bound: str) -> Callable[[Fraction], bool]:
     """Decimal degrees, or cos:S:p/q: tells of a cos |cos| whether its angle is above that."""
-    if bound.startswith("cos:"):
-        sign, _, rest = bound[4:].partition(":")
+    kind, sign, rest = (bound.split(":", 2) + ["", ""])[:3]
+    if kind == "cos":
         square = number(rest, "angle")
         if sign not in ("-1", "0", "1") or (sign == "0") != (square == 0) or not 0 <= square <= 1:
             raise Unreadable("angle: cos:S:p/q has S in -1, 0, 1 and 0 <= p/q <= 1")
@@ -275,7 +235,7 @@ def angle_bound(bound: str) -> Callable[[Fraction], bool]:
     degrees = number(bound if len(bound) <= ANGLE_TEXT else None, "angle")
     if not 0 <= degrees <= 180:
         raise Unreadable("angle: not from 0 to 180 degrees")
-    return lambda value: compare(value, degrees) > 0
+    return lambda value: is_above(value, degrees)
 
 
 class Judge:
@@ -284,16 +244,14 @@ class Judge:
     def __init__(self, mesh: object, polygon: object, limit: int) -> None:
         content = document(mesh, "mesh")
         self.at = points(content.get("vertices"), "vertices")
-        self.triangles = [
-            items(t, "triangle", 3) for t in items(content.get("triangles"), "triangles")
-        ]
+        triangles = items(content.get("triangles"), "triangles")
+        self.triangles = [items(corners, "triangle", 3) for corners in triangles]
         if not all(type(v) is int for corners in self.triangles for v in corners):
             raise Unreadable("triangles: not vertex numbers")
         polygon = content.get("polygon") if polygon is None else polygon
         self.given = polygon is not None
-        self.corners, self.edges, self.outer = read_polygon(polygon) if self.given else ([], [], 0)
-        self.limit, self.valid = limit, True
-        self.defects: list[dict[str, Any]] = []
+        self.corners, self.edges = read_polygon(polygon) if self.given else ([], [])
+        self.limit, self.valid, self.defects = limit, True, list[dict[str, Any]]()
         self.sound: dict[int, Sequence[int]] = {}  # the triangles with three vertices
         self.first: dict[Point, int] = {}  # the first vertex at each point
         self.sides: list[Piece] = []
@@ -303,8 +261,8 @@ class Judge:
         self.valid = False
         if len(self.defects) < self.limit:
             shown = {k: [*map(str, v)] if isinstance(v, tuple) else v for k, v in witness.items()}
-            message = DEFECTS[kind].format(**where, **shown)
-            entry = {"kind": kind, "where": where, "message": message, "witness": shown}
+            place = ", ".join(f"{name} {value}" for name, value in (where or shown).items())
+            entry = {"kind": kind, "where": where, "message": f"{kind}: {place}", "witness": shown}
             self.defects.append(entry)
 
     def look_at_indices(self) -> None:
@@ -346,9 +304,9 @@ class Judge:
 
     def look_at_sides(self) -> None:
         """The sides run just where the polygon does, or (without one) enclose a region once."""
-        for p, edge in zip(self.corners, self.edges, strict=True):
+        for p, (*_, where) in zip(self.corners, self.edges, strict=True):
             if p not in self.first:
-                name = edge[3]["polygon_edge"]
+                name = where["polygon_edge"]
                 self.add("polygon-vertex-missing", {"polygon_vertex": name}, point=p)
         lines = defaultdict[object, tuple[list[Piece], list[Piece]]](lambda: ([], []))
         for kind, pieces in enumerate((self.sides, self.edges)):
@@ -356,19 +314,18 @@ class Judge:
                 lines[line(*piece[:2])][kind].append(piece)
         wrong = [piece for both in lines.values() for piece in unmatched(*both)]
         if wrong:
-            self._name_conflicts({u for p, q, net, _ in wrong if net for u in (p, q)})
+            self.name_conflicts({u for p, q, net, _ in wrong if net for u in (p, q)})
         for p, q, _, where in wrong:
-            if self.valid or len(self.defects) < self.limit:
-                for spot in beside(p, q):
-                    self._look_at_spot(where, spot)
+            for left in (True, False):
+                if self.valid or len(self.defects) < self.limit:
+                    self.look_beside(p, q, left, where)
         if not self.sides:
             self.add("region-not-covered", {}, point="any point")
 
-    def _name_conflicts(self, ends: set[Point]) -> None:
-        found = [
-            (k, i, self.first[u] if k == "hanging" else u) for k, i, u in conflicts(self.sides)
-        ]
-        for kind, i, j in sorted(found):
+    def name_conflicts(self, ends: set[Point]) -> None:
+        """Where sides meet other than in endpoints, and which of these ends lie on no edge."""
+        met = conflicts(self.sides)
+        for kind, i, j in sorted((k, i, self.first.get(j, j)) for k, i, j in met):
             where = self.sides[i][3]
             if kind == "hanging":
                 self.add("hanging-vertex", {"vertex": j}, **where, point=self.at[j])
@@ -382,32 +339,33 @@ class Judge:
             ):
                 self.add("boundary-vertex-off-edge", {"vertex": v}, point=p)
 
-    def _look_at_spot(self, where: dict[str, Any], spot: Spot) -> None:
-        covered, point = winding(self.sides, spot), spot[0]
-        wanted = winding(self.edges, spot) if self.given else covered
+    def look_beside(self, p: Point, q: Point, left: bool, where: dict[str, Any]) -> None:
+        """Is it covered beside the middle of pq as often as it should be?"""
+        covered = winding(self.sides, p, q, left)
+        wanted = winding(self.edges, p, q, left) if self.given else covered
+        point = (p[0] + q[0]) / 2, (p[1] + q[1]) / 2
         if covered > 1:
             self.add("overlap", where, point=point, covered=covered)
         elif covered < wanted:
             self.add("region-not-covered", where, point=point)
         elif covered > wanted:
-            in_hole = winding(self.edges[: self.outer], spot)
-            self.add("hole-filled" if in_hole else "triangle-outside", where, point=point)
+            outer = [edge for edge in self.edges if edge[3]["polygon_edge"][0] == 0]
+            kind = "hole-filled" if winding(outer, p, q, left) else "triangle-outside"
+            self.add(kind, where, point=point)
 
     def measure(self, bound: str | None, least: Fraction | None) -> dict[str, Any]:
         """The largest angle, the least squared height, and the number of triangles by angle."""
         is_too_large = angle_bound(bound) if bound is not None else lambda square: False
         classes = dict.fromkeys([*CLASSES, "above"], 0)
-        squares: dict[int, Fraction] = {}
-        heights: list[Fraction] = []
+        squares, heights = dict[int, Fraction](), list[Fraction]()
         for t, corners in self.sound.items():
-            a, b, c = at = [self.at[v] for v in corners]
-            if not (area := turn(a, b, c)):
+            a, b, c = (self.at[v] for v in corners)
+            area, dots = turn(a, b, c), [dot(a, b, c), dot(b, c, a), dot(c, a, b)]
+            if area == 0:
                 continue
-            lengths = [dot(b, c, c), dot(c, a, a), dot(a, b, b)]
-            i = lengths.index(max(lengths))
-            cosine = dot(at[i], at[i - 1], at[i - 2])
-            square = squares[t] = cosine * abs(cosine) / (lengths[i - 1] * lengths[i - 2])
-            height = area * area / lengths[i]
+            low = min(dots)  # at the largest angle: its cot is low / area
+            square = squares[t] = low * abs(low) / (low**2 + area**2)
+            height = area**2 / (sum(dots) - low)  # the other two add up to the longest edge squared
             heights.append(height)
             classes[next((name for name, n in CLASSES.items() if 4 * square >= n), "above")] += 1
             if is_too_large(square):

@@ -7,32 +7,32 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from bern_exact.exact.angle_bound import degrees_enclosure
 from bern_exact.exact.angles import Angle
+from bern_exact.exact.enclosures import degrees_enclosure
 from bern_exact.exact.points import HPoint, coordinates
 
 DEFECTS = {
-    "index-out-of-range": "triangle {triangle} names a vertex that is not there",
-    "repeated-index": "triangle {triangle} names a vertex twice",
-    "duplicate-vertex": "vertex {vertex} is at the same point as vertex {first}",
-    "unused-vertex": "no triangle uses vertex {vertex}",
-    "degenerate-triangle": "the corners of triangle {triangle} lie on one line",
-    "clockwise-triangle": "triangle {triangle} runs clockwise",
-    "edge-used-twice": "triangles {triangles} lie on the same side of edge {edge}",
-    "polygon-vertex-missing": "the mesh has no vertex at polygon vertex {polygon_vertex}",
-    "boundary-vertex-off-edge": "boundary vertex {vertex} lies on no edge of the polygon",
-    "hanging-vertex": "vertex {vertex} lies inside edge {edge}",
-    "crossing-edges": "the boundary edges {edge} and {other} cross",
-    "boundary-not-simple": "the boundary edges {edge} and {other} cross",
-    "overlap": "{covered} triangles cover the same place at {point}",
-    "triangle-outside": "a triangle lies outside the polygon at {point}",
-    "hole-filled": "a triangle lies in a hole of the polygon at {point}",
-    "region-not-covered": "no triangle covers the polygon at {point}",
-    "angle-above-bound": "triangle {triangle} has an angle above {bound}",
-    "height-below-bound": "triangle {triangle} has a squared height below {bound}",
-    "too-many-triangles": "there are {triangles} triangles, more than {bound}",
+    "index-out-of-range": "a triangle names a vertex that is not there",
+    "repeated-index": "a triangle names a vertex twice",
+    "duplicate-vertex": "two vertices are at the same point",
+    "unused-vertex": "no triangle uses the vertex",
+    "degenerate-triangle": "the triangle's corners lie on one line",
+    "clockwise-triangle": "the triangle runs clockwise",
+    "edge-used-twice": "several triangles lie on the same side of the edge",
+    "polygon-vertex-missing": "the mesh has no vertex at the polygon's",
+    "boundary-vertex-off-edge": "the boundary vertex lies on no edge of the polygon",
+    "hanging-vertex": "the vertex lies inside a triangle's edge",
+    "crossing-edges": "the boundary edge crosses another",
+    "boundary-not-simple": "the boundary edge crosses another",
+    "overlap": "several triangles cover the same place beside the edge",
+    "triangle-outside": "a triangle beside the edge lies outside the polygon",
+    "hole-filled": "a triangle beside the edge lies in a hole of the polygon",
+    "region-not-covered": "no triangle covers the polygon beside the edge",
+    "angle-above-bound": "the triangle has an angle above the bound",
+    "height-below-bound": "the triangle has a height below the bound",
+    "too-many-triangles": "there are more triangles than the bound",
 }
-"""The closed list of what can be wrong with a mesh, each kind with its sentence."""
+"""The closed list of what can be wrong with a mesh, and what each kind says in words."""
 
 ANGLE_CLASSES = ("le60", "le90", "le120", "le135", "le150", "above")
 """Triangles by their largest angle; each triangle with area is in the first class that fits."""
@@ -51,7 +51,7 @@ class Defect:
         `{"polygon_vertex": [ring, index]}` or `{"polygon_edge": [ring, index]}` of the polygon,
         or nothing, if it is the mesh as a whole.
     message : str
-        One sentence.
+        The kind and the place.
     witness : dict
         Exact values that show it, JSON-ready.
     """
@@ -63,8 +63,18 @@ class Defect:
 
     @staticmethod
     def of(kind: str, where: dict[str, Any], witness: dict[str, Any]) -> Defect:
-        """A defect with the sentence of its kind."""
-        return Defect(kind, where, DEFECTS[kind].format(**where, **witness), witness)
+        """A defect with its message; what has no place is told by its witness."""
+        place = ", ".join(f"{name} {value}" for name, value in (where or witness).items())
+        return Defect(kind, where, f"{kind}: {place}", witness)
+
+    @property
+    def sentence(self) -> str:
+        """The message, and in words what its kind means.
+
+        >>> Defect.of("clockwise-triangle", {"triangle": 3}, {}).sentence
+        'clockwise-triangle: triangle 3 (the triangle runs clockwise)'
+        """
+        return f"{self.message} ({DEFECTS[self.kind]})"
 
     def to_json(self) -> dict[str, Any]:
         """The defect as an object of `verify --json`."""
@@ -152,7 +162,7 @@ class Verdict:
             low, high = degrees_enclosure(self.max_angle)
             angle = low if low == high else f"{low}..{high}"
             lines[0] += f", largest angle {angle}, least squared height {self.min_height_squared}"
-        lines += [f"  {defect.kind}: {defect.message}" for defect in self.defects[:5]]
+        lines += [f"  {defect.sentence}" for defect in self.defects[:5]]
         if len(self.defects) > 5:
             lines.append("  ...")
         return "\n".join(lines) + ">"

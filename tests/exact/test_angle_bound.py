@@ -10,8 +10,9 @@ from gmpy2 import mpq, mpz
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bern_exact.exact.angle_bound import degrees_enclosure, parse_angle_bound, signed_square_bounds
+from bern_exact.exact.angle_bound import parse_angle_bound, signed_square_bounds
 from bern_exact.exact.angles import Angle
+from bern_exact.exact.enclosures import degrees_bounds, degrees_enclosure
 from bern_exact.exact.errors import InputError
 from bern_exact.oracle import judge as lone
 
@@ -42,12 +43,21 @@ def test_the_degrees_shown_enclose_the_angle(square: Fraction) -> None:
     assert Fraction(high) - Fraction(low) in (0, Fraction(1, 10**9))
 
 
-@given(degrees)
-def test_the_enclosures_of_both_judges_overlap(bound: Fraction) -> None:
-    low, high = signed_square_bounds(mpq(bound.numerator, bound.denominator), 64)
-    other_low, other_high = lone.enclosure(bound, 64)
-    assert low <= high and high - low < mpq(1, 2**50)
+@given(squares, st.integers(1, 300))
+def test_the_enclosures_of_both_judges_overlap(square: Fraction, bits: int) -> None:
+    low, high = degrees_bounds(angle(square), bits)
+    other_low, other_high = lone.in_degrees(square, bits)
+    assert other_low <= other_high and other_high - other_low <= Fraction(90, 2**bits)
     assert Fraction(str(low)) <= other_high and other_low <= Fraction(str(high))
+
+
+@given(degrees)
+def test_bounds_in_degrees_are_enclosed_tightly(bound: Fraction) -> None:
+    low, high = signed_square_bounds(mpq(bound.numerator, bound.denominator), 64)
+    assert low <= high and high - low <= mpq(1, 2**63)
+    assert (low == high) == (bound % 30 == 0 or bound % 45 == 0)
+    assert low == high or not lone.is_above(Fraction(str(high)), bound)
+    assert low == high or lone.is_above(Fraction(str(low)), bound)
 
 
 @pytest.mark.parametrize("whole", [0, 30, 45, 60, 90, 120, 135, 150, 180])
@@ -71,13 +81,20 @@ def test_corners_are_judged_by_their_angles(dot: int, cross: int, bound: Fractio
     assert limit.admits_corner(mpz(dot), mpz(cross)) == limit.admits(angle(square))
 
 
+@pytest.mark.parametrize("bound", ["1e-30", "179." + "9" * 30])
+@pytest.mark.parametrize("dot", [-(10**40), -1, 0, 1, 10**40])
+def test_bounds_next_to_0_and_180_degrees(bound: str, dot: int) -> None:
+    limit = parse_angle_bound(bound)
+    assert limit.admits_corner(mpz(dot), mpz(1)) == (dot == 10**40 or bound > "179" and dot > -10)
+
+
 def test_a_bound_is_refined_until_it_decides() -> None:
     """Bounds a hair below and above an angle that is no multiple of anything."""
     square = Fraction(-9, 25)
     low, high = Fraction(126), Fraction(127)
     for _ in range(900):  # bisect the angle far beyond 64 bits
         middle = (low + high) / 2
-        low, high = (middle, high) if lone.compare(square, middle) > 0 else (low, middle)
+        low, high = (middle, high) if lone.is_above(square, middle) else (low, middle)
         if high - low < Fraction(1, 2**300):
             break
     tell = [parse_angle_bound(str(end)).admits(angle(square)) for end in (low, high)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -56,7 +57,13 @@ def test_on_garbage(seed: int) -> None:
         both(garbage(rng), **random_bounds(rng))
 
 
-def test_in_their_sentences() -> None:
-    assert lone.DEFECTS == verdict.DEFECTS
+def test_in_their_kinds() -> None:
+    """Every kind is in the schema, has its sentence, and is named by the lone judge's source."""
+    kinds = SCHEMA["$defs"]["defect"]["properties"]["kind"]["enum"]
+    assert sorted(kinds) == sorted(verdict.DEFECTS)
+    source = Path(lone.__file__).read_text()
+    assert all(f'"{kind}"' in source for kind in kinds)
+
+
+def test_in_their_classes_of_angles() -> None:
     assert (*lone.CLASSES, "above") == verdict.ANGLE_CLASSES
-    assert sorted(SCHEMA["$defs"]["defect"]["properties"]["kind"]["enum"]) == sorted(lone.DEFECTS)

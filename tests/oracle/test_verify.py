@@ -63,7 +63,7 @@ def test_bounds() -> None:
 
 def test_a_verdict_shows_what_is_wrong() -> None:
     shown = repr(verify(SQUARE, [(0, 2, 1)], SQUARE))
-    assert "clockwise-triangle: triangle 0 runs clockwise" in shown
+    assert "clockwise-triangle: triangle 0 (the triangle runs clockwise)" in shown
     assert repr(verify(SQUARE, TWO)).startswith("<Verdict: valid; 2 triangles, 4 vertices")
 
 
