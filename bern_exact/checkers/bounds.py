@@ -8,7 +8,7 @@ Angles*.
 
 from __future__ import annotations
 
-from gmpy2 import mpq
+from gmpy2 import isqrt, mpq, mpz
 
 # Section 2, lopping (Lemma 1) -------------------------------------------------
 
@@ -214,3 +214,120 @@ def theorem_1_height_squared(tau: mpq = TAU, factor: mpq = FACTOR) -> mpq:
     """
     rounding = CUT_ROUNDING * UNIT_ROUNDING
     return boundary_height_squared(tau) * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2
+
+
+# Section 3, Lemma 5 ---------------------------------------------------------------
+
+
+def boundary_cotangent(tau: mpq = TAU) -> mpq:
+    """The cotangent of each angle near the boundary is at least this: 135 degrees + arctan(2 tau).
+
+    A diagonal leaves an edge of slope at most 2 tau to an axis.  cot(135 + a) =
+    (cot 135 cot a - 1)/(cot 135 + cot a) = -(1 + tan a)/(1 - tan a).
+
+    >>> boundary_cotangent()  # 149.04 degrees; 150 degrees is -1.732
+    mpq(-5,3)
+    """
+    return -(1 + 2 * tau) / (1 - 2 * tau)
+
+
+def merged_triangles(lopped: int) -> int:
+    """Triangles near the boundary after merging and projecting, for n' vertices of P'.
+
+    A merged face of faces with m_1, m_2, ... nodes has at most sum (m_i - 2) + 2
+    staircase vertices; all but the two ends may be projected, each adding a vertex on the
+    base.  So it makes at most 2 sum (m_i - 2) triangles: twice what its faces would.
+    """
+    return 2 * touched_triangles(lopped)
+
+
+def projected_fan_triangles(n: int, lopped: int) -> int:
+    """Triangles of the lopped corners, if also projections may lie on the cuts.
+
+    A projection comes from a staircase vertex: `touched_triangles` bounds their number.
+    """
+    return fan_triangles(n, lopped) + touched_triangles(lopped)
+
+
+# Section 3, Theorems 2 and 3 ---------------------------------------------------------
+
+LOG_PRECISION = 64
+"""Logarithms are rounded up to multiples of 1/64."""
+
+TILED_TRIANGLES_A_VERTEX = 4
+"""Triangles of Q a vertex of its partition into subdivided rectangles (Lemmas 6 to 8).
+
+With I Steiner points Euler's formula gives T = 2 (V + I) - N - 2 components + 2 holes, and
+a hole has at least 4 edges: T <= 2 (V + I).  A rectangle with k and l >= 1
+subdivisions of a longer and a shorter side has at most k + 2 <= k + l + 1 Steiner
+points.  Round a vertex of the partition rectangles use 180 degrees for each of the
+2 k + 2 l subdivisions, 90 for each of the 4 corners, in all at most 360: summed over
+rectangles, k + l + 1 is at most V.  So I <= V.
+"""
+
+
+def log2_above(value: int) -> mpq:
+    """A rational at least log2(value), by less than 1/64 too large.
+
+    >>> log2_above(1024), log2_above(1000)
+    (mpq(10,1), mpq(319,32))
+    """
+    return mpq((value**LOG_PRECISION - 1).bit_length(), LOG_PRECISION)
+
+
+def theorem_2_triangles(n: int) -> int:
+    """The explicit O(n log n) of Theorem 2.
+
+    The sum of `merged_triangles`, four a vertex of Lemma 6's at most
+    1.5 N log2 N - 0.5 N, and `projected_fan_triangles`, for n' = 2 n and
+    N <= `region_edges` (n') <= 858 n.  A crude bound that follows from the parts;
+    70 to 175 n is what is seen.
+
+    >>> theorem_2_triangles(1), theorem_2_triangles(10**6) // 10**6
+    (51313, 153952)
+    """
+    lopped = lopped_vertices(n)
+    edges = region_edges(lopped)
+    vertices = int((3 * edges * log2_above(edges) - edges) / 2)
+    return _theorem_triangles(n, lopped, vertices)
+
+
+def theorem_3_triangles(n: int) -> int:
+    """The explicit O(n^1.5) of Theorem 3: as for Theorem 2, with Lemma 8's 2 N + N^1.5 vertices.
+
+    >>> theorem_3_triangles(1), theorem_3_triangles(10**6) // 10**9
+    (110229, 100538)
+    """
+    lopped = lopped_vertices(n)
+    edges = region_edges(lopped)
+    return _theorem_triangles(n, lopped, 2 * edges + int(isqrt(mpz(edges) ** 3)))
+
+
+def _theorem_triangles(n: int, lopped: int, partition_vertices: int) -> int:
+    return (
+        merged_triangles(lopped)
+        + TILED_TRIANGLES_A_VERTEX * partition_vertices
+        + projected_fan_triangles(n, lopped)
+    )
+
+
+def projected_fan_height_squared(tau: mpq = TAU) -> mpq:
+    """The least squared height of a lopped corner's fan, (tau/2)^2 (Theorems 2 and 3).
+
+    A piece of the base is an edge of a boundary triangle, so it is at least as
+    long as that is high, tau/sqrt 2; the angles at its ends are 45 to 135 degrees.
+    The height over an edge from the corner is then at least tau/sqrt 2 sin 45, and
+    that from the corner is the corner's own.
+    """
+    return boundary_height_squared(tau) / 2
+
+
+def theorem_2_height_squared(tau: mpq = TAU, factor: mpq = FACTOR) -> mpq:
+    """The least (height/s)^2 of Theorems 2 and 3: about 1/384^2 for the default tau and factor.
+
+    Every part has height at least tau b/2: tau/sqrt 2 near the boundary (Lemmas 2 and 5),
+    1/sqrt 5 inside, where vertices are at least b apart (Lemma 7), tau/2 in the fans.
+    And b >= s'/factor, s' >= s/3, each up to its rounding.
+    """
+    rounding = CUT_ROUNDING * UNIT_ROUNDING
+    return projected_fan_height_squared(tau) * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2

@@ -64,7 +64,7 @@ def check_theorem_1(
     most, valid = Extreme(greatest=True), Violations()
     most.offer(len(mesh.triangles), 1, {"n": polygon.n})
     valid.case(verdict.valid, {"defects": len(verdict.defects)})
-    least = _least_height(mesh)
+    least = least_height(mesh)
     return [
         most.finding(
             "theorem-1.count",
@@ -79,7 +79,7 @@ def check_theorem_1(
             "every triangle has height at least tau b/sqrt(2) (squared, in the input's units)",
             bounds.boundary_height_squared(tau) * framed.unit**2,
         ),
-        _relative(least, feature.squared).finding(
+        relative(least, feature.squared).finding(
             "theorem-1.height",
             STAGE,
             "the least height is at least tau s/(24 sqrt(2)) up to the rounding of cuts and grid "
@@ -92,7 +92,7 @@ def check_theorem_1(
     ]
 
 
-def _least_height(mesh: Mesh) -> Extreme:
+def least_height(mesh: Mesh) -> Extreme:
     """The least squared height, and its triangle."""
     least = Extreme()
     for i, (p, q, r) in enumerate(mesh.triangles):
@@ -101,7 +101,7 @@ def _least_height(mesh: Mesh) -> Extreme:
     return least
 
 
-def _relative(least: Extreme, squared: mpq) -> Extreme:
+def relative(least: Extreme, squared: mpq) -> Extreme:
     """The same over s^2."""
     ratio = Extreme()
     if least.value is not None:

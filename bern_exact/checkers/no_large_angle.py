@@ -1,0 +1,185 @@
+"""What Theorems 2 and 3 claim alike of the finished mesh: angle, height, validity."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from gmpy2 import mpq
+
+from bern_exact.boundary.records import Framed, MergedMesh
+from bern_exact.checkers import bounds
+from bern_exact.checkers.extremes import Extreme, Violations
+from bern_exact.checkers.findings import Exact, Finding
+from bern_exact.checkers.places import cotangents, squared_height
+from bern_exact.checkers.theorem_1 import Judgement, relative
+from bern_exact.exact.angle_bound import AngleBound
+from bern_exact.exact.angles import Angle
+from bern_exact.plane.feature_size import FeatureSize
+from bern_exact.plane.mesh import Mesh
+
+STAGE = "mesh"
+
+
+class AngleJudgement(Judgement, Protocol):
+    """What is read of the judge's verdict."""
+
+    @property
+    def max_angle(self) -> Angle | None:
+        """The largest angle of the mesh; None if no triangle has area."""
+
+    @property
+    def max_angle_triangle(self) -> int | None:
+        """A triangle that has it."""
+
+
+def check_mesh(
+    theorem: str,
+    mesh: Mesh,
+    framed: Framed,
+    feature: FeatureSize,
+    verdict: AngleJudgement,
+    merged: MergedMesh,
+    *,
+    tau: mpq,
+    angle_bound: AngleBound,
+) -> list[Finding]:
+    """The claims but for the number of triangles.
+
+    Parameters
+    ----------
+    theorem : str
+        The claims' place, `theorem-2` or `theorem-3`.
+    mesh, framed, feature, verdict, merged, tau, angle_bound
+        As in `check_theorem_2`.
+    """
+    valid = Violations()
+    valid.case(verdict.valid, {"defects": len(verdict.defects)})
+    return [
+        *_check_angle(theorem, verdict, tau, angle_bound),
+        *_check_triangles(theorem, mesh, framed, feature, tau),
+        _check_boundary_count(theorem, merged),
+        valid.finding(
+            f"{theorem}.valid", STAGE, "the mesh is a triangulation of P, as the judge finds"
+        ),
+    ]
+
+
+def by_threshold(tau: mpq) -> Angle:
+    """135 degrees + arctan(2 tau).
+
+    >>> by_threshold(mpq(1, 8))
+    Angle(cos_sign=-1, cos_squared=mpq(25,34))
+    """
+    squared = bounds.boundary_cotangent(tau) ** 2
+    return Angle(-1, squared / (1 + squared))
+
+
+def _check_angle(
+    theorem: str, verdict: AngleJudgement, tau: mpq, asked: AngleBound
+) -> list[Finding]:
+    """The largest angle against the bound asked for, and against what tau promises."""
+    angle = verdict.max_angle
+    promised = by_threshold(tau)
+    low, high = asked.enclosure()
+    exactly: Exact = str(low) if low == high else {"lower": str(low), "upper": str(high)}
+
+    def finding(claim: str, statement: str, bound: Exact, holds: bool) -> Finding:
+        return Finding(
+            f"{theorem}.{claim}",
+            STAGE,
+            statement,
+            "guarantee",
+            bound,
+            None if angle is None else str(angle.signed_square),
+            0 if angle is None else 1,
+            holds,
+            None if angle is None else {"triangle": verdict.max_angle_triangle},
+        )
+
+    return [
+        finding(
+            "angle",
+            "no angle is above the bound asked for, 150 degrees if nothing was (cos |cos|)",
+            exactly,
+            angle is None or asked.admits(angle),
+        ),
+        finding(
+            "threshold-angle",
+            "no angle is above 135 degrees + arctan(2 tau) (cos |cos|)",
+            str(promised.signed_square),
+            angle is None or angle.is_at_most(promised),
+        ),
+    ]
+
+
+def _check_triangles(
+    theorem: str, mesh: Mesh, framed: Framed, feature: FeatureSize, tau: mpq
+) -> list[Finding]:
+    """Heights, and the angles of the fans: the triangles at lopped corners, which P' has not."""
+    corners = {cut.corner for cut in framed.lopped.cuts}
+    height, fan_height, fan_angle = Extreme(), Extreme(), Extreme()
+    for i, triangle in enumerate(mesh.triangles):
+        p, q, r = (mesh.vertices[v] for v in triangle)
+        witness: Any = {"triangle": i, "vertices": triangle}
+        is_fan = not corners.isdisjoint(triangle)
+        (fan_height if is_fan else height).offer(*squared_height(p, q, r), witness)
+        if is_fan:
+            for num, den in cotangents(p, q, r):
+                fan_angle.offer(num, den, witness)
+    unit = framed.unit**2
+    return [
+        fan_angle.finding(
+            f"{theorem}.fan-angle",
+            STAGE,
+            "the fans of lopped corners have no angle above 135 degrees (least cotangent)",
+            bounds.BLOCK_COTANGENT,
+        ),
+        fan_height.finding(
+            f"{theorem}.fan-height",
+            STAGE,
+            "the fans of lopped corners have height at least tau b/2 (squared, in the input's "
+            "units)",
+            bounds.projected_fan_height_squared(tau) * unit,
+        ),
+        height.finding(
+            f"{theorem}.grid-height",
+            STAGE,
+            "every other triangle has height at least tau b/sqrt(2) (squared, in the input's "
+            "units)",
+            bounds.boundary_height_squared(tau) * unit,
+        ),
+        relative(_lesser(height, fan_height), feature.squared).finding(
+            f"{theorem}.height",
+            STAGE,
+            "the least height is at least tau s/48 up to the rounding of cuts and grid unit, s "
+            "being an upper bound for every triangulation ((height/s)^2)",
+            bounds.theorem_2_height_squared(tau),
+        ),
+    ]
+
+
+def _lesser(first: Extreme, second: Extreme) -> Extreme:
+    """The least of both, over the cases of both."""
+    least = Extreme()
+    for part in (first, second):
+        if part.value is not None:
+            least.offer(part.num, part.den, part.witness)
+    least.cases = first.cases + second.cases
+    return least
+
+
+def _check_boundary_count(theorem: str, merged: MergedMesh) -> Finding:
+    """The triangles near the boundary, before the interior's are counted."""
+    lopped = merged.warped.traced.diced.framed.polygon.n
+    most = Extreme(greatest=True)
+    triangles = sum(len(face.triangles) for face in merged.faces) + sum(
+        len(found) for item in merged.projected for _, found in item.pieces
+    )
+    most.offer(triangles, 1, {"vertices of P'": lopped})
+    return most.finding(
+        f"{theorem}.boundary-count",
+        STAGE,
+        "there are O(n) triangles near the boundary: merging and projecting at most doubles the "
+        "924 n of Section 2",
+        bounds.merged_triangles(lopped),
+    )
