@@ -45,6 +45,34 @@ def check_lemma_6(partition: Partition) -> tuple[Finding, ...]:
     )
 
 
+def check_lemma_6_as_printed(partition: Partition) -> tuple[Finding, ...]:
+    """The printed claim that the boundary does not grow when corners go to even lines.
+
+    "Notice that at each stage, the squares removed have total perimeter length O(n)": which
+    follows if what is left has a boundary no longer than before.  [0, 6] x [0, 4] minus
+    [2, 3] x [3, 4] refutes it.
+
+    Parameters
+    ----------
+    partition : Partition
+        By the paper's own halving.
+
+    Returns
+    -------
+    tuple of Finding
+        `lemma-6.boundary-printed`.
+    """
+    return (
+        _boundaries(partition).finding(
+            "lemma-6.boundary-printed",
+            STAGE,
+            "Cutting off squares so that corners become even leaves a boundary of at most N.",
+            partition.region.edges,
+            role="as-printed",
+        ),
+    )
+
+
 def _boundaries(partition: Partition) -> Extreme:
     """The longest boundary of what was left, over all half-steps, the last first.
 

@@ -79,12 +79,15 @@ class Piece:
         How long its boundary may be, in lattice edges.
     mirrored : bool
         Whether `web` holds rows.
+    even : bool
+        Whether corners go to even lines always, as printed; then the budget may not be kept.
     """
 
     web: Web
     cross: Web
     budget: int
     mirrored: bool
+    even: bool = False
 
     @property
     def boundary(self) -> int:
@@ -143,6 +146,8 @@ def _choose_parity(piece: Piece) -> int:
     shrinks.  The other is preferred if fewer cross runs end inside its pairs, as
     each such end is cut off, and the budget allows it.
     """
+    if piece.even:
+        return 0
     pairs = [0, 0]
     for near, _ in piece.web.chords:
         pairs[piece.web.runs[near].cell % 2] += 1
@@ -258,7 +263,9 @@ def _components(piece: Piece, web: Web, cross: Web) -> list[Piece]:
     of_cross = [component[places.after(run.strip.low, run.strip.near)] for run in cross.runs]
     webs = _split(web, component)
     crosses = _split(cross, of_cross)
-    pieces = [Piece(b, a, 0, not piece.mirrored) for a, b in zip(webs, crosses, strict=True)]
+    pieces = [
+        Piece(b, a, 0, not piece.mirrored, piece.even) for a, b in zip(webs, crosses, strict=True)
+    ]
     boundary = sum(part.boundary for part in pieces)
     for part in pieces:
         part.budget = piece.budget * part.boundary // boundary

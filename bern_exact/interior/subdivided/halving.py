@@ -10,6 +10,7 @@ the shrunken polygon nor its Riemann sheets are needed.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 from bern_exact.interior.records import GridNode, Rectilinear
@@ -47,7 +48,7 @@ class Cut(NamedTuple):
     along: int
 
 
-def halving(region: Rectilinear, *, squares: bool = False) -> Partition:
+def halving(region: Rectilinear, *, squares: bool = False, as_printed: bool = False) -> Partition:
     """Partition a region without holes into matching subdivided rectangles.
 
     Lemma 6: "A simple n-vertex rectilinear polygon Q can be partitioned into a set of
@@ -59,6 +60,9 @@ def halving(region: Rectilinear, *, squares: bool = False) -> Partition:
         Components without holes, satisfying the matching condition.
     squares : bool
         Cut off the paper's squares of cells rather than whole strips: more vertices.
+    as_printed : bool
+        The paper's own halving: squares, and the corners always to even lines, with which
+        the boundary can grow.
 
     Returns
     -------
@@ -76,7 +80,8 @@ def halving(region: Rectilinear, *, squares: bool = False) -> Partition:
     -----
     O((N + V) log N) for V vertices of the partition; cells are never enumerated.
     """
-    return subdivide(region, cuts(region, squares=squares), squares=squares)
+    squares = squares or as_printed
+    return subdivide(region, cuts(region, squares=squares, even=as_printed), squares=squares)
 
 
 def count_halving(region: Rectilinear, *, squares: bool = False) -> int:
@@ -87,7 +92,7 @@ def count_halving(region: Rectilinear, *, squares: bool = False) -> int:
     return count_vertices(region, cuts(region, squares=squares), squares=squares)
 
 
-def cuts(region: Rectilinear, *, squares: bool = False) -> Iterator[Cut]:
+def cuts(region: Rectilinear, *, squares: bool = False, even: bool = False) -> Iterator[Cut]:
     """The rectangles that the halving cuts off, loop by loop, not yet subdivided.
 
     Parameters
@@ -96,9 +101,11 @@ def cuts(region: Rectilinear, *, squares: bool = False) -> Iterator[Cut]:
         Each loop bounds a component of its own; slits are allowed (`bridges`).
     squares : bool
         Do not end early where a piece is one rectangle.
+    even : bool
+        Corners always to even lines.
     """
     for loop in region.loops:
-        yield from _cuts_of(_first_piece(loop), early=not squares)
+        yield from _cuts_of(_first_piece(loop, even), early=not squares)
 
 
 def _cuts_of(piece: Piece, *, early: bool) -> Iterator[Cut]:
@@ -123,7 +130,7 @@ def _cut(step: int, clipping: Clipping, is_mirrored: bool) -> Cut:
     return Cut(step, box, clipping.across, clipping.along)
 
 
-def _first_piece(loop: Sequence[GridNode]) -> Piece:
+def _first_piece(loop: Sequence[GridNode], even: bool) -> Piece:
     """A component as columns and rows, each one cell wide.
 
     Raises
@@ -135,18 +142,15 @@ def _first_piece(loop: Sequence[GridNode]) -> Piece:
         raise HasHoles(f"the loop at {loop[0]} bounds a hole")
     places = _developed(loop)
     (turned,), (turned_places,) = mirrored([loop]), mirrored([places])
-    return Piece(_web(loop, places), _web(turned, turned_places), len(loop), False)
+    return Piece(_web(loop, places), _web(turned, turned_places), len(loop), False, even)
 
 
 def _developed(loop: Sequence[GridNode]) -> list[GridNode]:
-    """Where the vertices of a loop come to lie if every edge has length 1."""
-    i = j = 0
-    places = []
-    for k, (x, y) in enumerate(loop):
-        px, py = loop[k - 1]
-        i += (x > px) - (x < px)
-        j += (y > py) - (y < py)
-        places.append((i, j))
+    """Where the vertices of a loop come to lie if every edge has length 1, the first at (0, 0)."""
+    places = [(0, 0)]
+    for (px, py), (x, y) in pairwise(loop):
+        i, j = places[-1]
+        places.append((i + (x > px) - (x < px), j + (y > py) - (y < py)))
     return places
 
 

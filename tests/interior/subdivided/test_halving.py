@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bern_exact.checkers.findings import demand
-from bern_exact.checkers.lemma_6 import check_lemma_6
+from bern_exact.checkers.lemma_6 import check_lemma_6, check_lemma_6_as_printed
 from bern_exact.checkers.lemma_7 import check_lemma_7
+from bern_exact.checkers.matching import check_matching
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.subdivided.halving import HasHoles, count_halving, halving
 from bern_exact.interior.subdivided.rectangle import tile
@@ -68,9 +69,25 @@ def test_large_regions(size: int, squares: bool) -> None:
     demand(check_lemma_7(tile(partition)))
 
 
+NOTCHED = unit_region(
+    frozenset((i, j) for i in range(6) for j in range(4)) - {(2, 3)}, every_line=True
+)
+
+
+def test_as_printed_the_boundary_grows() -> None:
+    partition = halving(NOTCHED, as_printed=True)
+    (printed,) = check_lemma_6_as_printed(partition)
+    assert (printed.bound, printed.measured, printed.holds) == (22, 24, False)
+    demand(check_matching(partition, "lemma-6", "partition"))
+
+
+@given(regions(holes=False))
+def test_as_printed_it_is_a_partition(region: Rectilinear) -> None:
+    demand(check_matching(halving(region, as_printed=True), "lemma-6", "partition"))
+
+
 def test_the_boundary_does_not_grow_where_even_parity_makes_it() -> None:
-    notched = frozenset((i, j) for i in range(6) for j in range(4)) - {(2, 3)}
-    partition = halving(unit_region(notched, every_line=True))
+    partition = halving(NOTCHED)
     boundary = next(f for f in check_lemma_6(partition) if f.claim == "lemma-6.boundary")
     assert partition.region.edges == boundary.measured == 22
 
