@@ -17,7 +17,7 @@ from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.facts import facts_of
 from bern_exact.formats import read_mesh_file
-from bern_exact.oracle.fast import verify_mesh
+from bern_exact.oracle.api import verify_with_feature_size
 from bern_exact.outputs import emit, emit_json, write_atomically
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
@@ -180,7 +180,7 @@ def verify_command(
     """
     found, own = read_mesh_file(mesh, binary64=numbers == "binary64")
     target = Polygon.load(polygon, numbers=numbers) if polygon else own
-    verdict = verify_mesh(
+    verdict = verify_with_feature_size(
         found,
         target,
         max_angle=max_angle,

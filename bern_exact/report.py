@@ -19,27 +19,29 @@ from bern_exact.oracle.verdict import Verdict
 ANGLE_WORDS = ("up to 60", "90", "120", "135", "150", "above")
 """The classes of a verdict's triangles by their largest angle, in order."""
 
-FILE_WIDTH = 140
-"""Columns, where the output is no terminal."""
+LONGEST_LINE = 10_000
+"""Characters of a line where the output is no terminal."""
 
 SHORTEST_SENTENCE = 24
 """Claims are put in words only where so many characters of a line are left."""
 
 
-def console() -> Console:
-    """Standard error, for everything that is not the result."""
-    plain = Console(stderr=True, highlight=False)
-    return plain if plain.is_terminal else Console(stderr=True, width=FILE_WIDTH, highlight=False)
-
-
 def print_claims(claims: Sequence[Finding]) -> None:
-    """Print the table of claims to standard error: claim, cases, measured, bound, holds."""
-    out = console()
-    out.print(claims_table(claims, out.width))
+    """Print the table of claims to standard error: claim, cases, measured, bound, holds.
+
+    A terminal gets lines that fit; a file or a pipe gets every line whole.
+    """
+    out = Console(stderr=True, highlight=False)
+    if out.is_terminal:
+        out.print(claims_table(claims, out.width))
+        return
+    table = claims_table(claims, None)
+    width = out.measure(table, options=out.options.update(width=LONGEST_LINE)).maximum
+    Console(stderr=True, highlight=False, width=width).print(table)
 
 
-def claims_table(claims: Sequence[Finding], width: int) -> Table:
-    """The table of claims, a line each, in so many columns of characters."""
+def claims_table(claims: Sequence[Finding], width: int | None) -> Table:
+    """The table of claims, a line each, in so many columns of characters or in all it takes."""
     headings = ("claim", "cases", "measured", "bound", "holds")
     rows = [
         (
@@ -52,7 +54,7 @@ def claims_table(claims: Sequence[Finding], width: int) -> Table:
         for claim in claims
     ]
     table = Table(title="Claims, each checked exactly", title_justify="left", box=SIMPLE_HEAD)
-    left = width - 4
+    left = LONGEST_LINE if width is None else width - 4
     for i, heading in enumerate(headings):
         across = max(len(heading), *(len(row[i]) for row in rows))
         table.add_column(
@@ -105,6 +107,10 @@ def verdict_lines(verdict: Verdict) -> list[str]:
             f"least height {root(verdict.min_height_squared)},"
             f" triangle {verdict.min_height_triangle}",
         ]
+        if verdict.feature_size_squared is not None:
+            ratio = root(verdict.min_height_squared / verdict.feature_size_squared)
+            size = root(verdict.feature_size_squared)
+            lines[-1] += f", {ratio} of the polygon's feature size {size}"
         named = zip(ANGLE_WORDS, verdict.angle_classes.values(), strict=True)
         lines.append("largest angles " + ", ".join(f"{word}: {k:,}" for word, k in named))
     return lines + [defect.sentence for defect in verdict.defects]

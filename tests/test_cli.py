@@ -171,6 +171,23 @@ def test_a_mesh_of_ours_is_verified(
     assert (code, record["valid"], record["defects"]) == (0, True, [])
 
 
+def test_the_verdict_has_the_feature_size_of_the_polygon_in_the_mesh(
+    mesh: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run_json(capsys, "verify", mesh)[1]["feature_size_squared"] == "9"
+    assert main(["verify", mesh]) == 0
+    assert "feature size 3" in capsys.readouterr().out
+
+
+def test_a_mesh_without_a_polygon_has_no_feature_size(
+    mesh: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    document = json.loads(Path(mesh).read_text())
+    bare = written(tmp_path / "bare.json", {k: document[k] for k in ("vertices", "triangles")})
+    code, record = run_json(capsys, "verify", bare)
+    assert (code, record["feature_size_squared"]) == (0, None)
+
+
 @pytest.mark.parametrize(
     ("option", "value", "kind"),
     [

@@ -26,7 +26,7 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
 }
 
 # Path -> how long it may be, for files that are longer than others.
-LONG = {"oracle/judge.py": 440}  # the trusted file must stand alone, reading and all
+LONG = {"oracle/judge.py": 442}  # the trusted file must stand alone, reading and all
 
 INEXACT_MODULES = {"math", "cmath", "decimal", "random", "numpy", "statistics"}
 INEXACT_CALLS = {"float", "complex", "round"}

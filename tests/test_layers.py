@@ -92,5 +92,5 @@ def test_checkers_and_judges_import_records_and_no_builder(module: Module) -> No
     for target, name in imports(module.tree):
         if target.startswith(("bern_exact.boundary", "bern_exact.interior")):
             assert target.endswith(".records"), f"imports {target}"
-        if target == "bern_exact.plane.feature_size":
+        if target == "bern_exact.plane.feature_size" and module.path != "oracle/api.py":
             assert name == "FeatureSize", "a checker computes feature sizes by itself"

@@ -49,8 +49,12 @@ def as_name(value: Any, path: str) -> str:
 
 
 def check_format(document: dict[str, Any], name: str, path: str) -> None:
-    """Refuse a document of another format, or of another version than 1."""
-    found = member(document, "format", path)
+    """Refuse a document of another format, or of another version than 1; a bare one has neither."""
+    if "format" not in document:
+        if "version" in document:
+            check_version(document["version"], f"{path}.version")
+        return
+    found = document["format"]
     if found != name:
         told = shown(found) if isinstance(found, str) else json_kind(found)
         raise refuse("unsupported", f'format "{name}" is expected, not {told}', f"{path}.format")

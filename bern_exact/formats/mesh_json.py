@@ -36,8 +36,8 @@ def read_mesh(document: Any, *, binary64: bool = False) -> tuple[Mesh, Polygon |
     Parameters
     ----------
     document : object
-        A `bern-exact/mesh`.  Members other than `vertices`, `triangles` and `polygon` are
-        ignored.
+        A `bern-exact/mesh`, or a bare object with `vertices` and `triangles`.  Members other
+        than these and `polygon` are ignored.
     binary64 : bool
         Read each decimal as the double nearest to it, in the polygon too.
 

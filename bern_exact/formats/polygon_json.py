@@ -51,10 +51,7 @@ def read_polygon(document: Any, *, binary64: bool = False, path: str = "$") -> P
     Linear but for the validation, O(n log n).
     """
     document = fields.as_object(document, path)
-    if "format" in document:
-        fields.check_format(document, FORMAT, path)
-    elif "version" in document:
-        fields.check_version(document["version"], f"{path}.version")
+    fields.check_format(document, FORMAT, path)
     outer = fields.member(document, "outer", path)
     rings = [fields.as_points(outer, f"{path}.outer", binary64=binary64)]
     holes = fields.as_list(document.get("holes", []), f"{path}.holes")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,6 +16,7 @@ from bern_exact.exact.numbers import parse_rational
 from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.oracle.verdict import Verdict
+from bern_exact.plane.feature_size import feature_size
 from bern_exact.plane.mesh import Mesh, Triangle
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
@@ -66,7 +68,7 @@ def verify(
 
     Notes
     -----
-    O(m log m) for m triangles; see `verify_mesh`.
+    O(m log m) for m triangles, see `verify_mesh`, and a polygon's feature size, see `feature_size`.
 
     Examples
     --------
@@ -84,7 +86,7 @@ def verify(
     if bound is not None and not isinstance(bound, AngleBound):
         bound = parse_angle_bound(bound if isinstance(bound, str) else str(bound))
     height = min_height_squared
-    return verify_mesh(
+    return verify_with_feature_size(
         Mesh(tuple(points), corners),
         polygon,
         max_angle=bound,
@@ -92,6 +94,29 @@ def verify(
         max_triangles=max_triangles,
         limit=limit,
     )
+
+
+def verify_with_feature_size(
+    mesh: Mesh,
+    polygon: Polygon | None,
+    *,
+    max_angle: AngleBound | None = None,
+    min_height_squared: mpq | None = None,
+    max_triangles: int | None = None,
+    limit: int = 100,
+) -> Verdict:
+    """`verify_mesh`, and the polygon's feature size, which the least height can be held against."""
+    verdict = verify_mesh(
+        mesh,
+        polygon,
+        max_angle=max_angle,
+        min_height_squared=min_height_squared,
+        max_triangles=max_triangles,
+        limit=limit,
+    )
+    if polygon is None:
+        return verdict
+    return replace(verdict, feature_size_squared=feature_size(polygon).squared)
 
 
 def exact(value: Any, place: str) -> mpq:

@@ -137,7 +137,7 @@ class Verdict:
     within_tolerance : bool or None
         Whether the mesh is valid but for rounding on the boundary; None if that was not asked.
     feature_size_squared : mpq or None
-        s^2 of the polygon (Definition 1); None if that was not asked.
+        s^2 of the polygon (Definition 1); None without a polygon or from a judge alone.
     """
 
     valid: bool

@@ -111,13 +111,12 @@ class Polygon:
     def place(self, vertex: int) -> tuple[int, int]:
         """[ring, index] of a vertex in the input, as users see it."""
         ring = self.ring_of[vertex]
-        return ring, vertex - min(self.rings[ring])
+        return ring, vertex - self.rings[ring][0]
 
     def input_ring(self, ring: int) -> Sequence[HPoint]:
         """The points of a ring in input order."""
         indices = self.rings[ring]
-        first = min(indices)
-        return self.points[first : first + len(indices)]
+        return self.points[indices[0] : indices[0] + len(indices)]
 
     def edges(self) -> Iterator[tuple[int, int]]:
         """Every edge as (tail, head), by index."""
@@ -126,13 +125,21 @@ class Polygon:
     @cached_property
     def area(self) -> mpq:
         """The exact area, holes left out."""
-        twice = mpq(0)
+        terms = []
         for v, w in enumerate(self.after):
             px, py, pw = self.points[v]
             qx, qy, qw = self.points[w]
-            twice += mpq(px * qy - qx * py, pw * qw)
-        return twice / 2
+            terms.append(mpq(px * qy - qx * py, pw * qw))
+        return _sum(terms) / 2
 
     def with_points(self, points: Sequence[HPoint]) -> Polygon:
         """The same rings on other points (an orientation-preserving image)."""
         return Polygon(tuple(points), self.rings, self.name)
+
+
+def _sum(terms: list[mpq]) -> mpq:
+    """The sum by halves: a running total would bring its long denominator to every addition."""
+    if len(terms) < 3:
+        return sum(terms, mpq(0))
+    middle = len(terms) // 2
+    return _sum(terms[:middle]) + _sum(terms[middle:])

@@ -17,6 +17,7 @@ from bern_exact.exact.errors import INPUT_ERROR_KINDS, InputError
 from bern_exact.exact.points import coordinates, hpoint
 from bern_exact.formats.mesh_json import dumps_mesh, load_mesh, mesh_document, read_mesh
 from bern_exact.formats.polygon_json import read_polygon
+from bern_exact.oracle import judge
 from bern_exact.plane.mesh import Mesh
 from tests.formats.test_polygon_json import json_values
 
@@ -170,6 +171,35 @@ def test_what_is_no_mesh_document_is_refused_with_its_path(text: str, kind: str,
     with pytest.raises(InputError) as refusal:
         load_mesh(io.StringIO(text))
     assert (refusal.value.kind, refusal.value.where) == (kind, {"path": path})
+
+
+FORMS: list[tuple[dict[str, Any], bool]] = [
+    ({}, True),
+    ({"version": 1}, True),
+    ({"format": "bern-exact/mesh", "version": 1}, True),
+    ({"format": "bern-exact/mesh"}, False),
+    ({"format": "bern-exact/mesh", "version": True}, False),
+    ({"format": "bern-exact/mesh", "version": 2}, False),
+    ({"format": "bern-exact/polygon", "version": 1}, False),
+    ({"format": None, "version": 1}, False),
+    ({"version": 2}, False),
+    ({"version": "1"}, False),
+]
+
+
+@pytest.mark.parametrize(("head", "is_read"), FORMS)
+def test_a_bare_mesh_is_read_and_another_format_refused_also_by_the_lone_judge(
+    head: dict[str, Any], is_read: bool
+) -> None:
+    document = head | {"vertices": [[0, 0], [1, 0], [0, 1]], "triangles": [[0, 1, 2]]}
+    if is_read:
+        assert read_mesh(document)[0].triangles == ((0, 1, 2),)
+        assert judge.judge(document)["valid"]
+    else:
+        with pytest.raises(InputError):
+            read_mesh(document)
+        with pytest.raises(judge.Unreadable):
+            judge.judge(document)
 
 
 @given(json_values)

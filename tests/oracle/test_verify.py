@@ -61,6 +61,13 @@ def test_bounds() -> None:
     assert not verify(SQUARE, TWO, max_triangles=1)
 
 
+def test_the_feature_size_of_a_given_polygon() -> None:
+    thin = [(0, 0), (5, 0), (5, "1/3"), (0, "1/3")]
+    assert verify(thin, TWO, thin).feature_size_squared == mpq(1, 9)
+    assert verify(thin, TWO[:1], thin).feature_size_squared == mpq(1, 9)
+    assert verify(thin, TWO).feature_size_squared is None
+
+
 def test_a_verdict_shows_what_is_wrong() -> None:
     shown = repr(verify(SQUARE, [(0, 2, 1)], SQUARE))
     assert "clockwise-triangle: triangle 0 (the triangle runs clockwise)" in shown
