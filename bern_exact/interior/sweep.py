@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import insort
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from bern_exact.interior.records import Column, GridNode, Rectilinear, Swept, SweptColumn
 from bern_exact.interior.rectilinear import columns, ordinates, strictly_between
@@ -33,13 +33,63 @@ def sweep(region: Rectilinear) -> Swept:
     A projected point never falls inside a boundary edge: its horizontal line is that of a
     vertex, and runs on to another vertex.  O(N log N).
     """
+    return _swept(region, _project_every_other)
+
+
+class TooManyTriangles(ValueError):
+    """The whole grid would have more triangles than the limit."""
+
+
+def whole_grid(region: Rectilinear, limit: int) -> Swept:
+    """Every interior rectangle split by a diagonal: the O(N^2) size that Lemma 3 improves on.
+
+    Section 2: "a triangulation with good height, with O(n) triangles intersecting the
+    boundary and O(n^2) rectangles (split by diagonals) interior".
+
+    Parameters
+    ----------
+    region : Rectilinear
+        Q, satisfying the matching condition.
+    limit : int
+        The most triangles.
+
+    Raises
+    ------
+    TooManyTriangles
+        As soon as it is clear that there would be more.
+    """
+    budget = limit
+
+    def project_all(column: Column, source: Sequence[int], target: list[int]) -> None:
+        nonlocal budget
+        present = set(strictly_between(target, column.y0, column.y1))
+        fresh = set(strictly_between(source, column.y0, column.y1)) - present
+        # Each new point on a side splits at least one cell: two more triangles.
+        budget -= 2 * len(fresh)
+        if budget < 0:
+            raise TooManyTriangles(f"the whole grid has more than {limit:,} triangles")
+        for y in sorted(fresh):
+            insort(target, y)
+
+    swept = _swept(region, project_all)
+    count = sum(len(column.triangles) for column in swept.columns)
+    if count > limit:
+        raise TooManyTriangles(f"the whole grid has {count:,} triangles, more than {limit:,}")
+    return swept
+
+
+Projector = Callable[[Column, Sequence[int], list[int]], None]
+
+
+def _swept(region: Rectilinear, project: Projector) -> Swept:
+    """Sweep right, then left, and triangulate each column."""
     on_line = ordinates(region)
     boundary = {(x, y) for x, ys in on_line.items() for y in ys}
     cells = columns(region)
     for column in sorted(cells, key=lambda c: (c.x0, c.x1, c.y0)):
-        _project(column, on_line[column.x0], on_line[column.x1])
+        project(column, on_line[column.x0], on_line[column.x1])
     for column in sorted(cells, key=lambda c: (-c.x1, -c.x0, c.y0)):
-        _project(column, on_line[column.x1], on_line[column.x0])
+        project(column, on_line[column.x1], on_line[column.x0])
     swept = []
     for column in sorted(cells, key=lambda c: (c.x0, c.y0)):
         left = _side(column, on_line[column.x0])
@@ -49,7 +99,7 @@ def sweep(region: Rectilinear) -> Swept:
     return Swept(region, tuple(swept), added)
 
 
-def _project(column: Column, source: Sequence[int], target: list[int]) -> None:
+def _project_every_other(column: Column, source: Sequence[int], target: list[int]) -> None:
     """Project every other point strictly inside one side of a column onto the other side."""
     present = set(strictly_between(target, column.y0, column.y1))
     for y in list(strictly_between(source, column.y0, column.y1))[1::2]:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from gmpy2 import mpq
 
 from bern_exact.boundary.merge import Objective, merge_boundary, nodes_on_edge
 from bern_exact.boundary.records import MergedMesh, Node
 from bern_exact.checkers.definition_2 import check_definition_2
+from bern_exact.checkers.lemma_4 import check_lemma_4
+from bern_exact.checkers.lemma_5 import check_lemma_5
 from bern_exact.checkers.lemma_7 import check_lemma_7
+from bern_exact.checkers.printed_ends import check_merged_as_printed
+from bern_exact.checkers.warping import check_faces
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.rectilinear import interior
 from bern_exact.interior.subdivided.records import Partition, Tiled
@@ -26,6 +30,9 @@ from bern_exact.theorems.assemble import (
 from bern_exact.theorems.prepare import Prepared
 from bern_exact.theorems.stages import Log
 
+InteriorTriangle = tuple[int, Sequence[Place]]
+"""(class, triangle) of Q, in grid units."""
+
 
 def treat_boundary(
     prepared: Prepared, log: Log, tau: mpq, objective: Objective
@@ -36,7 +43,12 @@ def treat_boundary(
     region = interior(face.ring for face in merged.touched)
     log.done("interior", region)
     if log.every_stage:
+        log.demand(check_lemma_4(merged, tau=tau))
+        log.demand(check_lemma_5(merged, tau=tau))
+        log.demand(check_faces(merged, region, tau=tau))
         log.demand(check_definition_2(region))
+    if log.as_printed:
+        log.demand(check_merged_as_printed(merged, tau=tau))
     return merged, region
 
 
@@ -49,12 +61,14 @@ def tile_rectangles(partition: Partition, log: Log) -> Tiled:
     return tiled
 
 
-def put_together(prepared: Prepared, merged: MergedMesh, tiled: Tiled, log: Log) -> Assembled:
+def put_together(
+    prepared: Prepared, merged: MergedMesh, interior: Iterable[InteriorTriangle], log: Log
+) -> Assembled:
     """The mesh in the input's coordinates."""
     assembled = assemble(
         prepared.warped,
         [*boundary_triangles(merged.faces), *_projected_triangles(merged)],
-        _interior_triangles(tiled),
+        interior,
         _nodes_on_cuts(merged),
         merged.projections,
     )
@@ -70,7 +84,7 @@ def _projected_triangles(merged: MergedMesh) -> Iterator[Tagged]:
                 yield MERGED, triangle
 
 
-def _interior_triangles(tiled: Tiled) -> Iterable[tuple[int, tuple[Place, ...]]]:
+def rectangle_triangles(tiled: Tiled) -> Iterator[InteriorTriangle]:
     """The triangles of all rectangles, in grid units."""
     for tiling in tiled.tilings:
         for triangle in tiling.triangles:

@@ -7,12 +7,19 @@ as in Lemma 5.  We merge all interior rectangles, and apply Lemmas 6 and 7 to th
 from __future__ import annotations
 
 from bern_exact.boundary.merge import Objective
-from bern_exact.checkers.lemma_6 import check_lemma_6
+from bern_exact.checkers.lemma_6 import check_lemma_6, check_lemma_6_as_printed
+from bern_exact.checkers.theorem_2 import check_theorem_2
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
 from bern_exact.interior.subdivided.halving import halving
+from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.polygon import Polygon
-from bern_exact.theorems.no_large_angle import put_together, tile_rectangles, treat_boundary
+from bern_exact.theorems.no_large_angle import (
+    put_together,
+    rectangle_triangles,
+    tile_rectangles,
+    treat_boundary,
+)
 from bern_exact.theorems.prepare import prepare
 from bern_exact.theorems.stages import Check, Construction, Log, Observer, Silent
 from bern_exact.theorems.threshold import threshold_for
@@ -73,7 +80,22 @@ def theorem_2(
     log.done("partition", partition)
     if log.every_stage:
         log.demand(check_lemma_6(partition))
+    if as_printed:
+        log.demand(check_lemma_6_as_printed(partition))
 
     tiled = tile_rectangles(partition, log)
-    assembled = put_together(prepared, merged, tiled, log)
+    assembled = put_together(prepared, merged, rectangle_triangles(tiled), log)
+    if check != "none":
+        log.demand(
+            check_theorem_2(
+                polygon,
+                assembled.mesh,
+                prepared.framed,
+                prepared.feature,
+                verify_mesh(assembled.mesh, polygon),
+                merged,
+                tau=tau,
+                angle_bound=max_angle,
+            )
+        )
     return log.construction(polygon, prepared.feature, prepared.framed, assembled)
