@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from bern_exact.checkers.bounds import halving_vertices
 from bern_exact.checkers.extremes import Extreme
 from bern_exact.checkers.findings import Finding
-from bern_exact.checkers.interior_bounds import halving_vertices
 from bern_exact.checkers.matching import check_matching, check_vertices, edges_of
 from bern_exact.interior.subdivided.records import Edge, Partition
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from bern_exact.checkers.extremes import Extreme, Violations
-from bern_exact.checkers.findings import Finding
-from bern_exact.checkers.interior_bounds import (
+from bern_exact.checkers.bounds import (
     TILING_COTANGENT,
     TILING_HEIGHT_SQUARED,
     tiling_steiner_points,
     tiling_triangles,
 )
+from bern_exact.checkers.extremes import Extreme, Violations
+from bern_exact.checkers.findings import Finding
 from bern_exact.interior.subdivided.records import (
     HalfNode,
     SubdividedRectangle,

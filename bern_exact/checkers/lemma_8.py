@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from bern_exact.checkers.bounds import strips_vertices
 from bern_exact.checkers.findings import Finding
-from bern_exact.checkers.interior_bounds import strips_vertices
 from bern_exact.checkers.matching import check_matching, check_vertices
 from bern_exact.interior.subdivided.records import Partition
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from bern_exact.interior.records import GridNode, Rectilinear
 from bern_exact.interior.rectilinear import chained
 from bern_exact.interior.subdivided.halving import count_vertices, cuts, subdivide
-from bern_exact.interior.subdivided.lattice import Lattice, mirrored
+from bern_exact.interior.subdivided.lattice import Lattice, is_hole, mirrored
 from bern_exact.interior.subdivided.records import Edge, Partition
 from bern_exact.interior.subdivided.sweep_count import Sweep
 
@@ -77,17 +77,12 @@ def bridges(region: Rectilinear) -> tuple[Edge, ...]:
     Of the L-shaped paths from that vertex the one with the fewest lattice edges, found in
     O(log N) for each edge of it: a path that has gone as far as the best is given up.
     """
-    if all(not _is_hole(loop) for loop in region.loops):
+    if all(not is_hole(loop) for loop in region.loops):
         return ()
     upright = _edges(region)
     turned = _edges(Rectilinear(tuple(tuple(loop) for loop in mirrored(region.loops))))
     lying = {((ty, tx), (hy, hx)) for (tx, ty), (hx, hy) in turned}
     return tuple(sorted(upright if len(upright) <= len(lying) else lying))
-
-
-def _is_hole(loop: Sequence[GridNode]) -> bool:
-    """Is the loop clockwise?"""
-    return sum(loop[i - 1][0] * y - x * loop[i - 1][1] for i, (x, y) in enumerate(loop)) < 0
 
 
 class _Path(NamedTuple):
@@ -135,7 +130,7 @@ def _paths(region: Rectilinear, lattice: Lattice) -> dict[GridNode, _Path]:
     best: dict[GridNode, _Path] = {}
     walks: list[_Walk] = []
     for loop in region.loops:
-        if _is_hole(loop):
+        if is_hole(loop):
             start = max(loop)
             column = columns.after(*start)
             heappush(walks, _Walk(columns.strips[column].far, start, 1, column))

@@ -18,6 +18,7 @@ from bern_exact.interior.subdivided.erosion import Clipping, Piece, Run, Web, ha
 from bern_exact.interior.subdivided.lattice import (
     Lattice,
     Strips,
+    is_hole,
     mirrored,
     strips_of,
     vertices_by_euler,
@@ -138,7 +139,7 @@ def _first_piece(loop: Sequence[GridNode], even: bool) -> Piece:
     HasHoles
         If the loop is clockwise, the boundary of a hole.
     """
-    if sum(loop[i - 1][0] * y - x * loop[i - 1][1] for i, (x, y) in enumerate(loop)) < 0:
+    if is_hole(loop):
         raise HasHoles(f"the loop at {loop[0]} bounds a hole")
     places = _developed(loop)
     (turned,), (turned_places,) = mirrored([loop]), mirrored([places])

@@ -126,6 +126,11 @@ def mirrored(loops: Loops) -> list[list[GridNode]]:
     return [[(y, x) for x, y in reversed(loop)] for loop in loops]
 
 
+def is_hole(loop: Sequence[GridNode]) -> bool:
+    """Is the loop clockwise?"""
+    return sum(loop[i - 1][0] * y - x * loop[i - 1][1] for i, (x, y) in enumerate(loop)) < 0
+
+
 def strips_of(loops: Loops) -> tuple[list[Strip], list[tuple[End, End]]]:
     """The columns of a region with the matching condition, and the edges that end them.
 
