@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -57,6 +59,13 @@ def resolved(module: str, name: str | None) -> str:
     """`from bern_exact import cli` names the module bern_exact.cli."""
     dotted = f"{module}.{name}"
     return dotted if name is not None and dotted in {m.name for m in MODULES} else module
+
+
+def test_the_list_in_developers_md_is_this_one() -> None:
+    text = (Path(__file__).resolve().parent.parent / "DEVELOPERS.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^bern_exact/(\w+)(?:/|\.py) ", text, re.MULTILINE)
+    names = tuple("" if name == "__init__" else name for name in listed)
+    assert names == (*LAYERS, "schemas")
 
 
 @by_name
