@@ -6,23 +6,36 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 from gmpy2 import mpq
 
+from bern_exact.boundary.merge import Objective
 from bern_exact.certificate import Certificate, extremes
 from bern_exact.counts import stage_counts
+from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.formats import safe_json
 from bern_exact.formats.mesh_json import mesh_document
+from bern_exact.interior.subdivided.choice import Method
 from bern_exact.outputs import write_atomically
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import CLASSES
-from bern_exact.theorems.stages import Check, Construction, Observer
+from bern_exact.theorems.baseline import baseline as construct_baseline
+from bern_exact.theorems.stages import Check, Construction, Observer, RefusedOption
 from bern_exact.theorems.theorem_1 import theorem_1
+from bern_exact.theorems.theorem_2 import DEGREES_150, theorem_2
+from bern_exact.theorems.theorem_3 import theorem_3
 
-THEOREMS: Mapping[int, Callable[..., Construction]] = {1: theorem_1}
+THEOREMS: Mapping[int, Callable[..., Construction]] = {1: theorem_1, 2: theorem_2, 3: theorem_3}
 """The constructions in this version, by theorem."""
+
+OPTIONS: Mapping[int, Sequence[str]] = {
+    1: (),
+    2: ("max_angle", "objective", "squares"),
+    3: ("max_angle", "objective", "interior"),
+}
+"""The options of each construction."""
 
 
 class NotInThisVersion(NotImplementedError):
@@ -67,6 +80,11 @@ def triangulate(
     polygon: Polygon,
     *,
     theorem: int | None = None,
+    max_angle: AngleBound | str | int | None = None,
+    interior: Method | None = None,
+    objective: Objective | None = None,
+    squares: bool = False,
+    baseline: bool = False,
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,
@@ -81,6 +99,20 @@ def triangulate(
         1: O(n) triangles of nearly the greatest least height; 2: a simple polygon, no angle
         above 150 degrees; 3: the same with holes; 4: convex, no obtuse angle.  Without it, 2
         for a simple polygon and 3 for one with holes.
+    max_angle : AngleBound, str or int, optional
+        Theorems 2 and 3: any bound above 135 up to 150 degrees, the default.  The heights fall
+        as it nears 135.
+    interior : {"strips", "bridges", "best"}, optional
+        Theorem 3: Lemma 8, the holes joined to the boundary and Lemma 6, or whichever
+        is smaller, the default.
+    objective : {"height", "angle"}, optional
+        Theorems 2 and 3: what the pieces along the boundary are best at, within both bounds:
+        the least height (default) or the largest angle.
+    squares : bool
+        Theorem 2: cut off the paper's unit squares in Lemma 6 instead of whole strips.
+    baseline : bool
+        The simpler construction that the theorem improves on: all interior rectangles, split
+        by diagonals.
     check : {"every-stage", "final", "none"}
         Which claims are checked: each after its stage, the theorem's own at the end, or none.
     as_printed : bool
@@ -91,11 +123,16 @@ def triangulate(
     Raises
     ------
     NotInThisVersion
-        For Theorems 2, 3 and 4.
+        For Theorem 4.
+    InputError
+        Kind `has-holes`, for Theorem 2.
     LemmaViolation
         If a guarantee fails: a bug here or an error in the paper, with its exact witness.
-    ValueError
-        If an argument is none of those listed.
+    RefusedOption
+        If an argument is none of those listed or not for this theorem, or the angle bound is
+        out of reach (a ValueError).
+    TooManyTriangles
+        If a baseline would be too large (a ValueError).
 
     Examples
     --------
@@ -107,25 +144,45 @@ def triangulate(
     (True, True)
     """
     if theorem not in (None, 1, 2, 3, 4):
-        raise ValueError(f"no theorem {theorem}: 1, 2, 3 or 4")
-    if check not in get_args(Check):
-        raise ValueError(f"check {check!r}: one of {', '.join(get_args(Check))}")
-    construct = THEOREMS.get(theorem or (3 if polygon.holes else 2))
-    if construct is None:
-        raise NotInThisVersion(_refusal(polygon, theorem))
-    made = construct(polygon, check=check, as_printed=as_printed, observer=observer)
-    return _result(made, theorem or (3 if polygon.holes else 2))
+        raise RefusedOption(f"no theorem {theorem}: 1, 2, 3 or 4")
+    chosen = theorem or (3 if polygon.holes else 2)
+    if chosen not in THEOREMS:
+        raise NotInThisVersion(f"Theorem {chosen} is not in this version; Theorems 1, 2 and 3 are")
+    for name, value, known in (
+        ("check", check, Check),
+        ("interior", interior, Method),
+        ("objective", objective, Objective),
+    ):
+        if value is not None and value not in get_args(known):
+            raise RefusedOption(f"{name} {value!r}: one of {', '.join(get_args(known))}")
+    bound = max_angle if isinstance(max_angle, AngleBound | None) else _angle_bound(max_angle)
+    special = {
+        "max_angle": bound,
+        "interior": interior,
+        "objective": objective,
+        "squares": squares or None,
+    }
+    given = {name: value for name, value in special.items() if value is not None}
+    for name in given:
+        if name not in OPTIONS[chosen]:
+            raise RefusedOption(f"{name.replace('_', ' ')} is not an option of Theorem {chosen}")
+    construct = _baseline_of(chosen, given) if baseline else THEOREMS[chosen]
+    made = construct(polygon, **given, check=check, as_printed=as_printed, observer=observer)
+    return _result(made, chosen)
 
 
-def _refusal(polygon: Polygon, theorem: int | None) -> str:
-    """Why there is no such construction, and what to do."""
-    if theorem is not None:
-        return f"Theorem {theorem} is not in this version; Theorem 1 is (--theorem 1)"
-    meant = "3 (polygons with holes)" if polygon.holes else "2 (simple polygons)"
-    return (
-        f"Theorem {meant} would be meant, and is not in this version;"
-        " ask for Theorem 1 (--theorem 1)"
-    )
+def _angle_bound(written: str | int) -> AngleBound:
+    return parse_angle_bound(str(written))
+
+
+def _baseline_of(theorem: int, given: dict[str, Any]) -> Callable[..., Construction]:
+    """The baseline of a theorem; it has no choice of interior."""
+    for name in ("interior", "squares"):
+        if name in given:
+            raise RefusedOption(f"the baseline has no choice of {name}")
+    if theorem > 1:
+        given.setdefault("max_angle", DEGREES_150)
+    return construct_baseline
 
 
 def _result(made: Construction, theorem: int) -> Result:

@@ -11,12 +11,15 @@ from gmpy2 import mpq
 
 from bern_exact import __version__
 from bern_exact.api import NotInThisVersion, Result, triangulate
+from bern_exact.boundary.merge import Objective
 from bern_exact.checkers.findings import LemmaViolation
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.facts import facts_of
 from bern_exact.formats import read_mesh_file
+from bern_exact.interior.subdivided.choice import Method
+from bern_exact.interior.sweep import TooManyTriangles
 from bern_exact.oracle.api import verify_with_feature_size
 from bern_exact.outputs import emit, emit_json, write_atomically
 from bern_exact.plane.mesh import Mesh
@@ -28,11 +31,11 @@ from bern_exact.report import (
     print_claims,
     verdict_lines,
 )
-from bern_exact.theorems.stages import Check
+from bern_exact.theorems.stages import Check, RefusedOption
 from bern_exact.trace import Trace
 from bern_exact.view.triangulation import draw_triangulation
 
-STAGES = 10
+STAGES = 11
 """How many stages the progress bar expects."""
 
 SOURCE = click.Path(exists=True, dir_okay=False, path_type=Path)
@@ -83,6 +86,23 @@ def cli() -> None:
 )
 @click.option("--as-printed", is_flag=True, help="Evaluate the paper's false sentences as well.")
 @click.option(
+    "--max-angle",
+    callback=parsed_by(parse_angle_bound),
+    help="Theorems 2, 3: degrees above 135 up to 150 (default), or cos:S:p/q.",
+)
+@click.option(
+    "--interior",
+    type=click.Choice(["strips", "bridges", "best"]),
+    help="Theorem 3: Lemma 8, holes joined to the boundary, or the smaller (default).",
+)
+@click.option(
+    "--objective",
+    type=click.Choice(["height", "angle"]),
+    help="Theorems 2, 3: what faces along the boundary are best at (default: height).",
+)
+@click.option("--squares", is_flag=True, help="Theorem 2: the paper's squares in Lemma 6.")
+@click.option("--baseline", is_flag=True, help="The O(n^2) construction that is improved on.")
+@click.option(
     "--trace",
     type=click.Path(path_type=Path, file_okay=False),
     help="Write every stage's record and picture to a directory.",
@@ -94,6 +114,11 @@ def cli() -> None:
 def triangulate_command(
     polygon: Path,
     theorem: str | None,
+    max_angle: AngleBound | None,
+    interior: Method | None,
+    objective: Objective | None,
+    squares: bool,
+    baseline: bool,
     check: Check,
     as_printed: bool,
     trace: Path | None,
@@ -115,11 +140,16 @@ def triangulate_command(
             result = triangulate(
                 shape,
                 theorem=int(theorem) if theorem else None,
+                max_angle=max_angle,
+                interior=interior,
+                objective=objective,
+                squares=squares,
+                baseline=baseline,
                 check=check,
                 as_printed=as_printed,
                 observer=progress,
             )
-        except NotInThisVersion as error:
+        except (NotInThisVersion, RefusedOption, TooManyTriangles) as error:
             raise click.UsageError(str(error)) from None
         except LemmaViolation as violation:
             if tracer:

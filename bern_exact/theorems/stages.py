@@ -15,6 +15,10 @@ from bern_exact.theorems.assemble import Assembled
 Check = Literal["every-stage", "final", "none"]
 
 
+class RefusedOption(ValueError):
+    """An option that does not go with the theorem or cannot be granted: a wrong call."""
+
+
 class Observer(Protocol):
     """Whoever wants to know how far a construction is."""
 

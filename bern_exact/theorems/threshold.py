@@ -12,12 +12,13 @@ from bern_exact.boundary.corners import TAU
 from bern_exact.boundary.merge import largest_kappa
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.angles import ANGLE_150, Angle
+from bern_exact.theorems.stages import RefusedOption
 
 DENOMINATORS = 1000
 """Thresholds below 1/8 have denominators up to this."""
 
 
-class BoundOutOfReach(ValueError):
+class BoundOutOfReach(RefusedOption):
     """An angle bound that no threshold gives."""
 
 
