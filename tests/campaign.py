@@ -24,7 +24,8 @@ from bern_exact.formats.mesh_json import mesh_document
 from bern_exact.formats.polygon_json import dump_polygon
 from bern_exact.oracle.judge import judge
 from bern_exact.plane.polygon import Polygon
-from bern_exact.theorems.theorem_1 import Construction, theorem_1
+from bern_exact.theorems.stages import Construction
+from bern_exact.theorems.theorem_1 import theorem_1
 from tests.theorems.families import FAMILIES, some_polygon
 
 
