@@ -14,6 +14,7 @@ from bern_exact.checkers.lemma_7 import check_lemma_7
 from bern_exact.checkers.matching import check_matching
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.subdivided.halving import HasHoles, count_halving, halving
+from bern_exact.interior.subdivided.lattice import components
 from bern_exact.interior.subdivided.rectangle import tile
 from tests.interior.regions import (
     Cells,
@@ -84,6 +85,27 @@ def test_as_printed_the_boundary_grows() -> None:
 @given(regions(holes=False))
 def test_as_printed_it_is_a_partition(region: Rectilinear) -> None:
     demand(check_matching(halving(region, as_printed=True), "lemma-6", "partition"))
+
+
+@given(cell_sets(holes=False))
+def test_as_printed_it_is_quadtree_erosion(cells: Cells) -> None:
+    """After 2 k half-steps the complete aligned squares of 2^k x 2^k cells are left."""
+    for part in components(unit_region(cells, every_line=True)):
+        partition = halving(part, as_printed=True)
+        every = {cell for r in partition.rectangles for cell in cells_of(r)}
+        x, y = part.loops[0][0]
+        left = {(i - x, j - y) for i, j in every}
+        for k in range(4):
+            kept = zip(partition.rectangles, partition.steps, strict=True)
+            found = {cell for r, step in kept if step > 2 * k for cell in cells_of(r)}
+            assert found == {(i + x, j + y) for i, j in left}
+            left = eroded(left, 2 ** (k + 1))
+
+
+def eroded(cells: set[tuple[int, int]], side: int) -> set[tuple[int, int]]:
+    """The cells of aligned squares that are complete."""
+    count = Counter((i // side, j // side) for i, j in cells)
+    return {(i, j) for i, j in cells if count[i // side, j // side] == side * side}
 
 
 def test_the_boundary_does_not_grow_where_even_parity_makes_it() -> None:
