@@ -231,6 +231,27 @@ def boundary_cotangent(tau: mpq = TAU) -> mpq:
     return -(1 + 2 * tau) / (1 - 2 * tau)
 
 
+def merged_height_squared(tau: mpq = TAU) -> mpq:
+    """The least squared height of a triangle of a merged face, (tau/2)^2 (Lemma 5, repaired).
+
+    Where a row of the grid ends on e, at E, beyond a last crossing C with a line that hits
+    e, a distance L = CE along the row and D along the line may both be tau.  The
+    diagonal through C cuts off a triangle of height L D/(L + D) >= tau/2.  If e is at most
+    45 degrees - arctan(2 tau) from the row, leaving that diagonal out may leave too large an
+    angle at C: tau/sqrt 2 is then out of reach, even for tau = 1/8.
+    """
+    return tau * tau / 4
+
+
+def base_piece_squared(tau: mpq = TAU) -> mpq:
+    """The least squared length of a piece of e between projections, (tau/sqrt 2)^2 (Lemma 5).
+
+    In the case above it is L D / (L + D) over the sine of e's angle to the row, whose tangent is
+    D/L: sqrt(L^2 + D^2) L/(L + D), at least tau/sqrt 2.
+    """
+    return tau * tau / 2
+
+
 def merged_triangles(lopped: int) -> int:
     """Triangles near the boundary after merging and projecting, for n' vertices of P'.
 
@@ -361,23 +382,14 @@ def _theorem_triangles(n: int, lopped: int, partition_vertices: int) -> int:
     )
 
 
-def projected_fan_height_squared(tau: mpq = TAU) -> mpq:
-    """The least squared height of a lopped corner's fan, (tau/2)^2 (Theorems 2 and 3).
-
-    A piece of the base is an edge of a boundary triangle, so it is at least as
-    long as that is high, tau/sqrt 2; the angles at its ends are 45 to 135 degrees.
-    The height over an edge from the corner is then at least tau/sqrt 2 sin 45, and
-    that from the corner is the corner's own.
-    """
-    return boundary_height_squared(tau) / 2
-
-
 def theorem_2_height_squared(tau: mpq = TAU, factor: mpq = FACTOR) -> mpq:
     """The least (height/s)^2 of Theorems 2 and 3: about 1/384^2 for the default tau and factor.
 
-    Every part has height at least tau b/2: tau/sqrt 2 near the boundary (Lemmas 2 and 5),
-    1/sqrt 5 inside, where vertices are at least b apart (Lemma 7), tau/2 in the fans.
-    And b >= s'/factor, s' >= s/3, each up to its rounding.
+    Every part has height at least tau b/2: tau/sqrt 2 in blocks (Lemma 2), tau/2 in merged
+    faces (Lemma 5), 1/sqrt 5 inside, where vertices are at least b apart (Lemma 7).  A
+    lopped corner's fan triangle has a base of at least tau/sqrt 2 (Lemma 5) with angles of
+    45 to 135 degrees at its ends: its height is at least tau/sqrt 2 sin 45, or the corner's
+    own.  And b >= s'/factor, s' >= s/3, each up to its rounding.
     """
     rounding = CUT_ROUNDING * UNIT_ROUNDING
-    return projected_fan_height_squared(tau) * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2
+    return merged_height_squared(tau) * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2

@@ -13,7 +13,7 @@ from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_2 import NodeTriangle, check_lemma_2, tiles
 from bern_exact.checkers.lemma_4 import level
-from bern_exact.checkers.places import cotangents, squared_height
+from bern_exact.checkers.places import cotangents, squared_height, squared_length
 from bern_exact.checkers.rings import Ring, cancelled, places_of
 from bern_exact.exact.predicates import side
 
@@ -49,6 +49,7 @@ def check_lemma_5(mesh: MergedMesh, *, tau: mpq = bounds.TAU) -> list[Finding]:
         *_check_pieces(mesh),
         _check_angle(mesh, tau),
         _check_height(mesh, tau),
+        _check_base(mesh, tau),
     ]
 
 
@@ -170,7 +171,24 @@ def _check_height(mesh: MergedMesh, tau: mpq) -> Finding:
     return least.finding(
         "lemma-5.height",
         STAGE,
-        "every triangle of a merged face has height at least tau/sqrt(2) (squared, in b^2)",
-        bounds.boundary_height_squared(tau),
+        "every triangle of a merged face has height at least tau/2 (squared, in b^2)",
+        bounds.merged_height_squared(tau),
+        describe=places.describe,
+    )
+
+
+def _check_base(mesh: MergedMesh, tau: mpq) -> Finding:
+    """The pieces into which projections cut the bases; fans over a cut stand on them."""
+    places, shortest = places_of(mesh), Extreme()
+    for item in mesh.projected:
+        base = item.merged.base
+        for a, b in pairwise((base[0], *(foot for _, foot in item.cuts), base[-1])):
+            shortest.offer(*squared_length(places[a], places[b]), (item.merged.edge, (a, b)))
+    return shortest.finding(
+        "lemma-5.base",
+        STAGE,
+        "projections cut the base of a merged face into pieces at least tau/sqrt(2) long "
+        "(squared, in b^2)",
+        bounds.base_piece_squared(tau),
         describe=places.describe,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Protocol
 
 from gmpy2 import mpq
 
@@ -10,8 +10,8 @@ from bern_exact.boundary.records import Framed, MergedMesh
 from bern_exact.checkers import bounds
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Exact, Finding
-from bern_exact.checkers.places import cotangents, squared_height
-from bern_exact.checkers.theorem_1 import Judgement, relative
+from bern_exact.checkers.places import cotangents
+from bern_exact.checkers.theorem_1 import Judgement, least_height, relative
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.angles import Angle
 from bern_exact.plane.feature_size import FeatureSize
@@ -117,16 +117,12 @@ def _check_triangles(
 ) -> list[Finding]:
     """Heights, and the angles of the fans: the triangles at lopped corners, which P' has not."""
     corners = {cut.corner for cut in framed.lopped.cuts}
-    height, fan_height, fan_angle = Extreme(), Extreme(), Extreme()
+    height, fan_angle = least_height(mesh), Extreme()
     for i, triangle in enumerate(mesh.triangles):
-        p, q, r = (mesh.vertices[v] for v in triangle)
-        witness: Any = {"triangle": i, "vertices": triangle}
-        is_fan = not corners.isdisjoint(triangle)
-        (fan_height if is_fan else height).offer(*squared_height(p, q, r), witness)
-        if is_fan:
+        if not corners.isdisjoint(triangle):
+            p, q, r = (mesh.vertices[v] for v in triangle)
             for num, den in cotangents(p, q, r):
-                fan_angle.offer(num, den, witness)
-    unit = framed.unit**2
+                fan_angle.offer(num, den, {"triangle": i, "vertices": triangle})
     return [
         fan_angle.finding(
             f"{theorem}.fan-angle",
@@ -134,21 +130,13 @@ def _check_triangles(
             "the fans of lopped corners have no angle above 135 degrees (least cotangent)",
             bounds.BLOCK_COTANGENT,
         ),
-        fan_height.finding(
-            f"{theorem}.fan-height",
-            STAGE,
-            "the fans of lopped corners have height at least tau b/2 (squared, in the input's "
-            "units)",
-            bounds.projected_fan_height_squared(tau) * unit,
-        ),
         height.finding(
             f"{theorem}.grid-height",
             STAGE,
-            "every other triangle has height at least tau b/sqrt(2) (squared, in the input's "
-            "units)",
-            bounds.boundary_height_squared(tau) * unit,
+            "every triangle has height at least tau b/2 (squared, in the input's units)",
+            bounds.merged_height_squared(tau) * framed.unit**2,
         ),
-        relative(_lesser(height, fan_height), feature.squared).finding(
+        relative(height, feature.squared).finding(
             f"{theorem}.height",
             STAGE,
             "the least height is at least tau s/48 up to the rounding of cuts and grid unit, s "
@@ -156,16 +144,6 @@ def _check_triangles(
             bounds.theorem_2_height_squared(tau),
         ),
     ]
-
-
-def _lesser(first: Extreme, second: Extreme) -> Extreme:
-    """The least of both, over the cases of both."""
-    least = Extreme()
-    for part in (first, second):
-        if part.value is not None:
-            least.offer(part.num, part.den, part.witness)
-    least.cases = first.cases + second.cases
-    return least
 
 
 def _check_boundary_count(theorem: str, merged: MergedMesh) -> Finding:

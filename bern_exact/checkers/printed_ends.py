@@ -59,8 +59,8 @@ def check_merged_as_printed(mesh: MergedMesh, *, tau: mpq = bounds.TAU) -> list[
             "lemma-5.printed-end-height",
             STAGE,
             "height comes for free: with all inner staircase vertices projected the end faces can "
-            "be triangulated with height at least tau/sqrt(2) (squared, in b^2)",
-            bounds.boundary_height_squared(tau),
+            "be triangulated with height at least tau/2 (squared, in b^2)",
+            bounds.merged_height_squared(tau),
             role="as-printed",
             describe=_describe,
         ),
