@@ -86,6 +86,16 @@ def test_a_summary_for_people(
     assert "guarantees checked and kept" in capsys.readouterr().out
 
 
+def test_every_claim_is_a_whole_line_where_there_is_no_terminal(
+    triangle: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = tmp_path / "m.json"
+    assert main(["triangulate", triangle, "--theorem", "1", "-o", str(target)]) == 0
+    lines = capsys.readouterr().err.splitlines()
+    for claim in json.loads(target.read_text())["certificate"]["claims"]:
+        assert any(claim["id"] in line and claim["statement"] in line for line in lines)
+
+
 def test_the_input_comes_first_in_the_mesh(frame: str, capsys: pytest.CaptureFixture[str]) -> None:
     _, record = run_json(capsys, "triangulate", frame, "--theorem", "1")
     assert record["vertices"][:8] == FRAME["outer"] + FRAME["holes"][0]

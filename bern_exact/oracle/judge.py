@@ -147,19 +147,20 @@ def winding(pieces: Sequence[Piece], p: Point, q: Point, left: bool) -> int:
     return total
 
 
-def unmatched(sides: list[Piece], edges: list[Piece]) -> Iterator[Piece]:
-    """The stretches of one line where sides overlap, or do not run where the edges do."""
+def unmatched(pieces: Sequence[Piece]) -> Iterator[Piece]:
+    """The stretches of one line where sides overlap, or do not run where the polygon's edges do."""
     net, cover = Counter[Point](), Counter[Point]()
-    for p, q, times, _ in sides:
-        net.update({p: times, q: -times})
-        cover.update({min(p, q): times, max(p, q): -times})
-    for p, q, times, _ in edges:
-        net.update({p: -times, q: times})
+    for p, q, times, where in pieces:
+        if "polygon_edge" in where:
+            net.update({p: -times, q: times})
+        else:
+            net.update({p: times, q: -times})
+            cover.update({min(p, q): times, max(p, q): -times})
     for p, q in pairwise(sorted(net)):
         net[q] += net[p]
         cover[q] += cover[p]
         if net[p] or cover[p] > 1:
-            there = (w for a, b, _, w in sides + edges if min(a, b) <= p and q <= max(a, b))
+            there = (where for a, b, _, where in pieces if min(a, b) <= p and q <= max(a, b))
             yield p, q, net[p], next(there)
 
 
@@ -310,11 +311,10 @@ class Judge:
             if p not in self.first:
                 name = where["polygon_edge"]
                 self.add("polygon-vertex-missing", {"polygon_vertex": name}, point=p)
-        lines = defaultdict[object, tuple[list[Piece], list[Piece]]](lambda: ([], []))
-        for kind, pieces in enumerate((self.sides, self.edges)):
-            for piece in pieces:
-                lines[line(*piece[:2])][kind].append(piece)
-        wrong = [piece for both in lines.values() for piece in unmatched(*both)]
+        lines: dict[object, list[Piece]] = defaultdict(list)
+        for piece in [*self.sides, *self.edges]:
+            lines[line(*piece[:2])].append(piece)
+        wrong = [stretch for pieces in lines.values() for stretch in unmatched(pieces)]
         if wrong:
             self.name_conflicts({u for p, q, net, _ in wrong if net for u in (p, q)})
         for p, q, _, where in wrong:
