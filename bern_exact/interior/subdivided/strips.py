@@ -66,7 +66,8 @@ def strips(region: Rectilinear, spacing: int | None = None) -> Partition:
     region : Rectilinear
         Satisfying the matching condition.
     spacing : int, optional
-        t: how many distinct abscissas apart guide lines are; `default_spacing` if not given.
+        t, at least 1: how many distinct abscissas apart guide lines are; `default_spacing` if
+        not given.
 
     Returns
     -------
