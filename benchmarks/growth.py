@@ -5,8 +5,8 @@
     python -m benchmarks.growth --write         # and put it into benchmarks/RESULTS.md
 
 Each measurement is a process of its own: construction without checks, then with
-every claim checked, then the peak memory of both.  Seconds are processor time.  Exponents are least-squares
-slopes in log-log scale over all sizes.
+every claim checked, then the peak memory of both.  Seconds are processor time.
+Exponents are least-squares slopes in log-log scale over all sizes.
 """
 
 from __future__ import annotations

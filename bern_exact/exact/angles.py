@@ -55,9 +55,7 @@ def is_at_most_90(dot_product: mpz) -> bool:
 
 def is_at_most_120(dot_product: mpz, cross_product: mpz) -> bool:
     """Is the angle with this dot product and this cross product > 0 at most 120 degrees?"""
-    return bool(
-        dot_product >= 0 or 3 * dot_product * dot_product <= cross_product * cross_product
-    )
+    return bool(dot_product >= 0 or 3 * dot_product * dot_product <= cross_product * cross_product)
 
 
 def is_at_most_135(dot_product: mpz, cross_product: mpz) -> bool:
@@ -67,9 +65,7 @@ def is_at_most_135(dot_product: mpz, cross_product: mpz) -> bool:
 
 def is_at_most_150(dot_product: mpz, cross_product: mpz) -> bool:
     """Is the angle with this dot product and this cross product > 0 at most 150 degrees?"""
-    return bool(
-        dot_product >= 0 or dot_product * dot_product <= 3 * cross_product * cross_product
-    )
+    return bool(dot_product >= 0 or dot_product * dot_product <= 3 * cross_product * cross_product)
 
 
 def angle_at(before: HPoint, apex: HPoint, after: HPoint) -> Angle:

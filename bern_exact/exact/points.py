@@ -97,6 +97,4 @@ def along(p: HPoint, q: HPoint, t: mpq) -> HPoint:
     px, py, pw = p
     qx, qy, qw = q
     k, m = t.numerator, t.denominator
-    return reduced(
-        (m - k) * px * qw + k * qx * pw, (m - k) * py * qw + k * qy * pw, m * pw * qw
-    )
+    return reduced((m - k) * px * qw + k * qx * pw, (m - k) * py * qw + k * qy * pw, m * pw * qw)

@@ -28,10 +28,7 @@ def orientation(p: HPoint, q: HPoint, r: HPoint) -> int:
     qx, qy, qw = q
     rx, ry, rw = r
     return int(
-        sign(
-            (qx * pw - px * qw) * (ry * pw - py * rw)
-            - (qy * pw - py * qw) * (rx * pw - px * rw)
-        )
+        sign((qx * pw - px * qw) * (ry * pw - py * rw) - (qy * pw - py * qw) * (rx * pw - px * rw))
     )
 
 
