@@ -1,8 +1,8 @@
 """A long hunt beside the suite: `python -m tests.campaign --seconds 600 --seed 7`.
 
-Draws random polygons of every family, runs Theorem 1 with every check and the lone judge,
-prints each failure as one line of JSON that reproduces it, and at the end what was measured.
-Exit code 0 if nothing failed.
+Draws random polygons of every family, runs a theorem (`--theorem 2`; 1 if not told) with every
+check, with options drawn by chance, and the lone judge; prints each failure as one line of JSON
+that reproduces it, and at the end what was measured.  Exit code 0 if nothing failed.
 """
 
 from __future__ import annotations
@@ -15,17 +15,21 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import count
+from random import Random
 from typing import Any
 
 from gmpy2 import mpq
 
 from bern_exact.checkers.findings import Finding
+from bern_exact.exact.angle_bound import parse_angle_bound
 from bern_exact.formats.mesh_json import mesh_document
 from bern_exact.formats.polygon_json import dump_polygon
 from bern_exact.oracle.judge import judge
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.stages import Construction
 from bern_exact.theorems.theorem_1 import theorem_1
+from bern_exact.theorems.theorem_2 import theorem_2
+from bern_exact.theorems.theorem_3 import theorem_3
 from tests.theorems.families import FAMILIES, some_polygon
 
 
@@ -55,14 +59,16 @@ class Claim:
 def closeness(found: Finding) -> mpq | None:
     """0 far from the bound, 1 at it; None where there is nothing to compare.
 
+    A bound of 0 is that of a number of violations.
+
     The smaller of the two magnitudes over the larger: a bound from above and one from below
     read alike.  A cotangent above its negative bound counts from the bound down.
     """
     if not isinstance(found.measured, int | str) or not isinstance(found.bound, int | str):
         return None
     measured, bound = mpq(found.measured), mpq(found.bound)
-    if measured == bound:
-        return mpq(1)
+    if bound == 0:
+        return None
     if bound < 0:
         return 1 / (1 + abs(measured - bound))
     low, high = sorted((abs(measured), abs(bound)))
@@ -115,16 +121,51 @@ def number(value: Any) -> str:
     return f"{'-' if exact < 0 else ''}{digits[:-places]}.{digits[-places:]}"
 
 
-def attempt(polygon: Polygon) -> Construction:
-    """Theorem 1 with every check, and the lone judge's verdict on the result."""
-    made = theorem_1(polygon)
-    verdict = judge(mesh_document(made.assembled.mesh), dump_polygon(polygon))
+Options = dict[str, str]
+"""Options of a theorem, as they are written."""
+
+
+def some_options(theorem: int, random: Random) -> Options:
+    """Options drawn by chance, the default ones most often."""
+    if theorem == 1:
+        return {}
+    angles = ("150", "150", "150", "149.9", "145", "140", "136", "135.2", "cos:-1:25/34")
+    options = {
+        "max_angle": random.choice(angles),
+        "objective": random.choice(("height", "height", "angle")),
+    }
+    if theorem == 3:
+        options["interior"] = random.choice(("best", "strips", "bridges"))
+    elif random.randrange(3) == 0:
+        options["squares"] = "yes"
+    return options
+
+
+def construct(theorem: int, polygon: Polygon, options: Options) -> Construction:
+    """A theorem's construction with every check."""
+    if theorem == 1:
+        return theorem_1(polygon)
+    given: dict[str, Any] = {**options, "max_angle": parse_angle_bound(options["max_angle"])}
+    return theorem_2(polygon, **given) if theorem == 2 else theorem_3(polygon, **given)
+
+
+def attempt(theorem: int, polygon: Polygon, options: Options) -> Construction:
+    """A theorem with every check, and the lone judge's verdict on the result."""
+    made = construct(theorem, polygon, options)
+    mesh, outline = mesh_document(made.assembled.mesh), dump_polygon(polygon)
+    verdict = judge(mesh, outline, max_angle=options.get("max_angle"))
     if not verdict["valid"]:
         raise WronglyJudged(json.dumps(verdict["defects"][:3]))
     return made
 
 
-def run(seconds: int, seed: int, kinds: list[str]) -> Summary:
+def without_holes(polygon: Polygon) -> Polygon:
+    """The outer ring alone."""
+    outer = polygon.rings[0]
+    return Polygon(polygon.points[: len(outer)], (outer,), polygon.name)
+
+
+def run(seconds: int, seed: int, kinds: list[str], theorem: int = 1) -> Summary:
     """Draw and try polygons until the time is over."""
     summary = Summary()
     end = time.monotonic() + seconds
@@ -133,20 +174,22 @@ def run(seconds: int, seed: int, kinds: list[str]) -> Summary:
             if time.monotonic() > end:
                 return summary
             polygon = some_polygon(kind, number_)
+            if theorem == 2:
+                polygon = without_holes(polygon)
+            options = some_options(theorem, Random(f"options {number_}"))
             summary.polygons[kind] += 1
             try:
-                summary.add(kind, attempt(polygon))
+                summary.add(kind, attempt(theorem, polygon, options))
             except Exception as error:  # whatever goes wrong is what is looked for
                 summary.failures += 1
-                print(json.dumps(failure(kind, number_, polygon, error)), flush=True)
+                found = {"theorem": theorem, **options, "family": kind, "seed": number_}
+                print(json.dumps({**found, **failure(polygon, error)}), flush=True)
     return summary
 
 
-def failure(kind: str, seed: int, polygon: Polygon, error: Exception) -> dict[str, Any]:
-    """All that is needed to see a failure again."""
+def failure(polygon: Polygon, error: Exception) -> dict[str, Any]:
+    """What went wrong, and with what."""
     return {
-        "family": kind,
-        "seed": seed,
         "error": type(error).__name__,
         "message": str(error),
         "polygon": dump_polygon(polygon),
@@ -155,12 +198,14 @@ def failure(kind: str, seed: int, polygon: Polygon, error: Exception) -> dict[st
 
 def main() -> int:
     """Run a campaign from the command line."""
-    parser = argparse.ArgumentParser(description="Hunt for polygons that break Theorem 1.")
+    parser = argparse.ArgumentParser(description="Hunt for polygons that break a theorem.")
+    parser.add_argument("--theorem", type=int, choices=(1, 2, 3), default=1)
     parser.add_argument("--seconds", type=int, default=600)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--family", action="append", choices=FAMILIES, help="only this one")
     options = parser.parse_args()
-    summary = run(options.seconds, options.seed, options.family or list(FAMILIES))
+    kinds = options.family or list(FAMILIES)
+    summary = run(options.seconds, options.seed, kinds, options.theorem)
     for line in summary.lines():
         print(line)
     return 1 if summary.failures else 0

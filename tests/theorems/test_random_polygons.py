@@ -12,7 +12,7 @@ from tests.theorems.families import FAMILIES, some_polygon
 from tests.theorems.judged import proved
 from tests.theorems.over_the_grid import frame_of
 
-few = settings(max_examples=30, suppress_health_check=[HealthCheck.too_slow])
+few = settings(max_examples=20, suppress_health_check=[HealthCheck.too_slow])
 
 
 @pytest.mark.parametrize("kind", FAMILIES)
