@@ -182,14 +182,16 @@ def run(seconds: int, seed: int, kinds: list[str], theorem: int = 1) -> Summary:
                 summary.add(kind, attempt(theorem, polygon, options))
             except Exception as error:  # whatever goes wrong is what is looked for
                 summary.failures += 1
-                found = {"theorem": theorem, **options, "family": kind, "seed": number_}
-                print(json.dumps({**found, **failure(polygon, error)}), flush=True)
+                found = failure(kind, number_, polygon, error)
+                print(json.dumps({"theorem": theorem, **options, **found}), flush=True)
     return summary
 
 
-def failure(polygon: Polygon, error: Exception) -> dict[str, Any]:
+def failure(kind: str, seed: int, polygon: Polygon, error: Exception) -> dict[str, Any]:
     """What went wrong, and with what."""
     return {
+        "family": kind,
+        "seed": seed,
         "error": type(error).__name__,
         "message": str(error),
         "polygon": dump_polygon(polygon),

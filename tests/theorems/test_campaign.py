@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from random import Random
 
 import pytest
 
@@ -26,7 +27,7 @@ def test_what_goes_wrong_is_counted_and_printed(
     ticks = iter([0, 1, 2, 99])
     monkeypatch.setattr(campaign.time, "monotonic", lambda: next(ticks))
 
-    def broken(_: object) -> None:
+    def broken(*_: object) -> None:
         raise campaign.WronglyJudged("refused")
 
     monkeypatch.setattr(campaign, "attempt", broken)
@@ -51,3 +52,19 @@ def test_closeness_to_a_negative_bound_counts_from_it() -> None:
         for value in ("-99/100", "-1/2")
     )
     assert near is not None and far is not None and near > far
+
+
+@pytest.mark.parametrize("theorem", [2, 3])
+def test_options_are_drawn_from_the_seed_alone(theorem: int) -> None:
+    drawn = [campaign.some_options(theorem, Random(seed)) for seed in range(40)]
+    assert drawn == [campaign.some_options(theorem, Random(seed)) for seed in range(40)]
+    assert len({options["max_angle"] for options in drawn}) > 3
+
+
+@pytest.mark.parametrize(("theorem", "seed"), [(1, 1), (2, 3), (3, 4)])
+def test_an_attempt_at_each_theorem(theorem: int, seed: int) -> None:
+    polygon = some_polygon("plate", seed)
+    if theorem == 2:
+        polygon = campaign.without_holes(polygon)
+    options = campaign.some_options(theorem, Random(seed))
+    assert campaign.attempt(theorem, polygon, options).polygon.holes == polygon.holes
