@@ -125,6 +125,8 @@ def _spans(cuts: int) -> Iterator[tuple[int, int]]:
         yield i, i + 1
         if i + 2 <= cuts and (i == -1 or i + 2 == cuts):
             yield i, i + 2
+    if cuts == 2:
+        yield -1, cuts  # both left out
 
 
 def project(
