@@ -14,7 +14,7 @@ from bern_exact.boundary.merge import Merger, Objective, merge_boundary, nodes_o
 from bern_exact.boundary.records import MergedMesh, Node, Warped
 from bern_exact.exact.points import HPoint
 from bern_exact.plane.polygon import Polygon
-from bern_exact.theorems.prepare import Prepared, prepare
+from bern_exact.theorems.prepare import prepare
 from bern_exact.theorems.stages import Log, Silent
 from tests.theorems.families import some_polygon
 
@@ -34,31 +34,21 @@ class Boundary(NamedTuple):
 
 
 @cache
-def prepared(kind: str, seed: int, tau: mpq = TAU) -> Prepared:
-    """A polygon of a family, warped."""
-    return prepare(some_polygon(kind, seed), Log("none", Silent()), tau)
-
-
-@cache
 def merged(kind: str, seed: int, objective: Objective = "height", tau: mpq = TAU) -> Boundary:
     """The part near the boundary of a polygon of a family."""
-    return boundary_of(prepared(kind, seed, tau), objective, tau)
+    return merged_polygon(some_polygon(kind, seed), objective, tau)
 
 
-def merged_polygon(polygon: Polygon, objective: Objective = "height") -> Boundary:
-    """The part near the boundary of any polygon."""
-    return boundary_of(prepare(polygon, Log("none", Silent()), TAU), objective, TAU)
-
-
-def boundary_of(warped: Prepared, objective: Objective, tau: mpq) -> Boundary:
-    """The merged mesh, and the faces in the order in which it counts them."""
-    mesh = merge_boundary(warped.warped, warped.warping, warped.tracer, tau, objective)
+def merged_polygon(polygon: Polygon, objective: Objective = "height", tau: mpq = TAU) -> Boundary:
+    """The part near the boundary of any polygon, and the faces in the order it counts them."""
+    made = prepare(polygon, Log("none", Silent()), tau)
+    mesh = merge_boundary(made.warped, made.warping, made.tracer, tau, objective)
     rings, blocks = [], []
     for face in mesh.touched:
-        for ring in warped.warping.rings(face.ring):
+        for ring in made.warping.rings(face.ring):
             rings.append(tuple(node for node, _ in ring))
             blocks.append(face.block)
-    return Boundary(warped.warped, mesh, rings, blocks)
+    return Boundary(made.warped, mesh, rings, blocks)
 
 
 def merger_of(boundary: Boundary) -> Merger:
