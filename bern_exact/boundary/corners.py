@@ -66,13 +66,14 @@ class CornerRule:
     def choose(self, v: int) -> tuple[Substep1, int]:
         """The corner for vertex v and how many closer ones were refused.
 
-        If no corner will do (never seen), the closest is taken and the checkers report it.
+        If no corner will do (never seen), the closest is taken with rank 4, and the checkers of
+        Lemma 2 report the block.
         """
         candidates = self._candidates(v)
         for rank, candidate in enumerate(candidates):
             if self._is_good(v, candidate):
                 return candidate, rank
-        return candidates[0], 0
+        return candidates[0], len(candidates)
 
     def _candidates(self, v: int) -> list[Substep1]:
         """The four corners by distance, ties lexicographic."""

@@ -229,7 +229,8 @@ class Warped:
     corners : tuple of GridNode
         For each vertex of P' the corner of its square that moves to it (substep 1).
     rank : tuple of int
-        For each vertex, how many closer corners were refused (0: the closest was taken).
+        For each vertex, how many closer corners were refused (0: the closest was taken; 4: all
+        were refused, and the closest taken all the same).
     moved : mapping GridNode -> Node
         Interior grid vertices that move, each with the P' vertex (substep 1) or the
         crossing (substep 2, before fates) that it moves to.

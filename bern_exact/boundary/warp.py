@@ -183,17 +183,11 @@ class Warping:
         A q-vertex that was chosen by its anchor's instance may itself have merged with
         another one on its edge; one that chose its inner neighbour stays.
         """
-        if isinstance(node, int) and node >= self.q.n:
-            return self.fate(node - self.q.n)
-        return node, self._position(node)
-
-    def _position(self, node: Node) -> HPoint:
-        """Where a grid vertex, a vertex or a chosen q-vertex is."""
         if isinstance(node, tuple):
-            return grid_point(*node)
+            return node, grid_point(*node)
         if node < self.q.n:
-            return self.q.polygon.points[node]
-        return self.q.points[node - self.q.n]
+            return node, self.q.polygon.points[node]
+        return self.fate(node - self.q.n)
 
     def image(self, node: Node) -> tuple[Node, HPoint]:
         """The final node of any node of the arrangement, and where."""
