@@ -125,18 +125,17 @@ def test_the_picture(triangle: str, tmp_path: Path) -> None:
     assert svg.read_text().startswith("<svg")
 
 
-@pytest.mark.parametrize("theorem", ["2", "3", "4"])
-def test_theorems_to_come_are_refused(theorem: str, triangle: str) -> None:
-    assert main(["triangulate", triangle, "--theorem", theorem]) == 2
+def test_theorem_4_is_still_to_come(triangle: str) -> None:
+    assert main(["triangulate", triangle, "--theorem", "4"]) == 2
 
 
-def test_without_a_theorem_the_advice_is_theorem_1(
-    frame: str, capsys: pytest.CaptureFixture[str]
+def test_without_a_theorem_it_is_2_and_with_holes_3(
+    frame: str, triangle: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["triangulate", frame]) == 2
-    captured = capsys.readouterr()
-    assert "--theorem 1" in captured.err
-    assert not captured.out
+    assert main(["triangulate", triangle]) == 0
+    assert json.loads(capsys.readouterr().out)["certificate"]["theorem"] == 2
+    assert main(["triangulate", frame]) == 0
+    assert json.loads(capsys.readouterr().out)["certificate"]["theorem"] == 3
 
 
 def broken_theorem(*_: object, observer: Observer, **__: object) -> api.Construction:
