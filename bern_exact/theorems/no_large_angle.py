@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from gmpy2 import mpq
 
 from bern_exact.boundary.merge import Objective, merge_boundary, nodes_on_edge
 from bern_exact.boundary.records import MergedMesh, Node
 from bern_exact.checkers.definition_2 import check_definition_2
+from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_4 import check_lemma_4
 from bern_exact.checkers.lemma_5 import check_lemma_5
 from bern_exact.checkers.lemma_7 import check_lemma_7
 from bern_exact.checkers.printed_ends import check_merged_as_printed
 from bern_exact.checkers.warping import check_faces
+from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.rectilinear import interior
 from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.interior.subdivided.rectangle import tile
+from bern_exact.oracle.fast import verify_mesh
+from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import (
     MERGED,
     RECTANGLE,
@@ -74,6 +78,28 @@ def put_together(
     )
     log.done("mesh", assembled)
     return assembled
+
+
+def judged(
+    check_theorem: Callable[..., list[Finding]],
+    polygon: Polygon,
+    prepared: Prepared,
+    merged: MergedMesh,
+    assembled: Assembled,
+    tau: mpq,
+    max_angle: AngleBound,
+) -> list[Finding]:
+    """The theorem's own claims on the finished mesh, with the judge's verdict on it."""
+    return check_theorem(
+        polygon,
+        assembled.mesh,
+        prepared.framed,
+        prepared.feature,
+        verify_mesh(assembled.mesh, polygon),
+        merged,
+        tau=tau,
+        angle_bound=max_angle,
+    )
 
 
 def _projected_triangles(merged: MergedMesh) -> Iterator[Tagged]:

@@ -12,9 +12,9 @@ from bern_exact.checkers.theorem_2 import check_theorem_2
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
 from bern_exact.interior.subdivided.halving import halving
-from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.no_large_angle import (
+    judged,
     put_together,
     rectangle_triangles,
     tile_rectangles,
@@ -86,16 +86,5 @@ def theorem_2(
     tiled = tile_rectangles(partition, log)
     assembled = put_together(prepared, merged, rectangle_triangles(tiled), log)
     if check != "none":
-        log.demand(
-            check_theorem_2(
-                polygon,
-                assembled.mesh,
-                prepared.framed,
-                prepared.feature,
-                verify_mesh(assembled.mesh, polygon),
-                merged,
-                tau=tau,
-                angle_bound=max_angle,
-            )
-        )
+        log.demand(judged(check_theorem_2, polygon, prepared, merged, assembled, tau, max_angle))
     return log.construction(polygon, prepared.feature, prepared.framed, assembled)

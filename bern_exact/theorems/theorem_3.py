@@ -15,9 +15,9 @@ from bern_exact.checkers.theorem_3 import check_theorem_3
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.interior.subdivided.choice import Method, partition
 from bern_exact.interior.subdivided.records import Partition
-from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.no_large_angle import (
+    judged,
     put_together,
     rectangle_triangles,
     tile_rectangles,
@@ -78,18 +78,7 @@ def theorem_3(
     tiled = tile_rectangles(rectangles, log)
     assembled = put_together(prepared, merged, rectangle_triangles(tiled), log)
     if check != "none":
-        log.demand(
-            check_theorem_3(
-                polygon,
-                assembled.mesh,
-                prepared.framed,
-                prepared.feature,
-                verify_mesh(assembled.mesh, polygon),
-                merged,
-                tau=tau,
-                angle_bound=max_angle,
-            )
-        )
+        log.demand(judged(check_theorem_3, polygon, prepared, merged, assembled, tau, max_angle))
     return log.construction(polygon, prepared.feature, prepared.framed, assembled)
 
 
