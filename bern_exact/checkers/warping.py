@@ -12,7 +12,7 @@ from bern_exact.checkers import bounds
 from bern_exact.checkers.dicing import squares
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
-from bern_exact.checkers.places import Places, squared_length
+from bern_exact.checkers.places import Places
 from bern_exact.checkers.rings import (
     NearBoundary,
     Ring,
@@ -241,12 +241,12 @@ class _Shapes:
         outside = block < 0
         points = [self.places[node] for node in ring]
         runs = []
-        for i, a in enumerate(ring):
-            b = ring[(i + 1) % len(ring)]
-            p, q = points[i], points[(i + 1) % len(ring)]
-            self.shortest.offer(*squared_length(p, q), (number, (a, b)))
+        for i, b in enumerate(ring):
+            a, p, q = ring[i - 1], points[i - 1], points[i]
             dx, dy = run = direction(p, q)
             runs.append(run)
+            w = p[2] * q[2]
+            self.shortest.offer(dx * dx + dy * dy, w * w, (number, (a, b)))
             if outside and boundary_edge(self.warped, a, b) < 0:
                 low, high = sorted((abs(dx), abs(dy)))
                 self.steepest.offer(low, high or 1, (number, (a, b)))
