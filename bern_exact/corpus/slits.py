@@ -1,0 +1,39 @@
+"""Polygons of few vertices and any aspect ratio: a bar, and a slit between two holes.
+
+Meant to break meshers whose size grows with the aspect ratio: the number of triangles that
+Theorems 2 and 3 promise depends on the number of vertices alone.
+"""
+
+from __future__ import annotations
+
+from bern_exact.corpus.shapes import Ring
+
+
+def bar(aspect: int) -> list[Ring]:
+    """The rectangle of 1 by `aspect`, standing.
+
+    >>> bar(10)
+    [[(0, 0), (1, 0), (1, 10), (0, 10)]]
+    """
+    return [[(0, 0), (1, 0), (1, aspect), (0, aspect)]]
+
+
+def slit(aspect: int) -> list[Ring]:
+    """A plate with two holes and a slit of width 1 between them, `aspect` long: 12 vertices.
+
+    In units of `aspect` the slit has width 1/A; everything else is as wide as it is long.
+
+    Parameters
+    ----------
+    aspect : int
+        A, at least 1.
+
+    >>> [len(ring) for ring in slit(10**9)]
+    [4, 4, 4]
+    >>> slit(10)[1:]
+    [[(10, 10), (10, 20), (20, 20), (20, 10)], [(21, 10), (21, 20), (31, 20), (31, 10)]]
+    """
+    a = aspect
+    outer = [(0, 0), (4 * a + 1, 0), (4 * a + 1, 3 * a), (0, 3 * a)]
+    left, right = ([(x, a), (x, 2 * a), (x + a, 2 * a), (x + a, a)] for x in (a, 2 * a + 1))
+    return [outer, left, right]
