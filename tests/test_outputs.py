@@ -28,6 +28,13 @@ def test_a_failure_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["x"]
 
 
+def test_a_failure_names_the_file_that_was_asked_for(tmp_path: Path) -> None:
+    target = tmp_path / "no such directory" / "x"
+    with pytest.raises(FileNotFoundError) as failure:
+        write_atomically(target, "new")
+    assert failure.value.filename == str(target)
+
+
 def test_permissions_are_kept(tmp_path: Path) -> None:
     target = tmp_path / "x"
     target.write_text("old")

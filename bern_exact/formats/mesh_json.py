@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from bern_exact.exact.errors import InputError
-from bern_exact.exact.numbers import JsonNumber, json_kind
+from bern_exact.exact.numbers import JsonNumber, json_kind, rational_from_json
 from bern_exact.formats import fields, safe_json
 from bern_exact.formats.polygon_json import dump_polygon, point_texts, read_polygon
 from bern_exact.plane.mesh import Mesh, Triangle
@@ -65,19 +64,23 @@ def _triangle(value: Any, number: int) -> Triangle:
         a, b, c = value
         if type(a) is int and type(b) is int and type(c) is int:
             return a, b, c
-    raise _no_triangle(value, f"$.triangles[{number}]")
-
-
-def _no_triangle(value: Any, path: str) -> InputError:
-    """The refusal of what is not three integers."""
+    path = f"$.triangles[{number}]"
     indices = fields.as_list(value, path)
     if len(indices) != 3:
-        return fields.refuse("schema", f"a triangle has 3 indices, not {len(indices)}", path)
-    k = next(k for k, index in enumerate(indices) if type(index) is not int)
-    if isinstance(indices[k], JsonNumber):
-        return fields.refuse("number", "the number is not an index", f"{path}[{k}]")
-    message = f"an integer is expected, not {json_kind(indices[k])}"
-    return fields.refuse("schema", message, f"{path}[{k}]")
+        raise fields.refuse("schema", f"a triangle has 3 indices, not {len(indices)}", path)
+    a, b, c = (_index(index, f"{path}[{k}]") for k, index in enumerate(indices))
+    return a, b, c
+
+
+def _index(value: Any, path: str) -> int:
+    """An index, however long: a judge says that there is no such vertex."""
+    if type(value) is int:
+        return value
+    if not isinstance(value, JsonNumber):
+        raise fields.refuse("schema", f"an integer is expected, not {json_kind(value)}", path)
+    if not value.removeprefix("-").isdigit():
+        raise fields.refuse("number", "the number is not an index", path)
+    return int(rational_from_json(value, path).numerator)
 
 
 def mesh_document(

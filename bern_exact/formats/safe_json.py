@@ -10,6 +10,7 @@ from __future__ import annotations
 import codecs
 import json
 import os
+import re
 from collections import Counter
 from collections.abc import Iterator
 from typing import IO, Any, NoReturn
@@ -25,6 +26,7 @@ MAX_BYTES = 1 << 30
 
 _FIRST_CHUNK = 1 << 16
 _SHOWN_KEY = 100
+_STRING_OR_CONSTANT = re.compile(r'"(?:[^"\\]++|\\.)*+"|(?P<constant>NaN|-?Infinity)', re.DOTALL)
 
 
 def load(source: Source) -> Any:
@@ -60,8 +62,8 @@ def loads(data: str | bytes) -> Any:
     ------
     InputError
         Kind `syntax`, with the line and column, or the byte, or the key at fault: no JSON,
-        nested too deeply, or an object with the same key twice.  Kind `number`: `NaN` or an
-        infinity.
+        nested too deeply, or an object with the same key twice.  Kind `number`, with the line
+        and column: `NaN` or an infinity.
 
     >>> loads('{"x": 0.10, "y": 3}')
     {'x': '0.10', 'y': 3}
@@ -77,6 +79,8 @@ def loads(data: str | bytes) -> Any:
         raise InputError("syntax", message, where) from None
     except RecursionError:
         raise InputError("syntax", "the JSON is nested too deeply") from None
+    except _NotFinite:
+        raise _not_finite(text) from None
 
 
 def _read(stream: IO[bytes] | IO[str]) -> str | bytes:
@@ -115,9 +119,22 @@ def _integer(text: str) -> int | JsonNumber:
     return int(text) if len(text) <= JSON_INT_DIGITS else JsonNumber(text)
 
 
-def _not_finite(text: str) -> NoReturn:
-    """Refuse the words that Python's reader would take for numbers."""
-    raise InputError("number", f"{text} is not a number of JSON")
+class _NotFinite(Exception):
+    """The reader has come to a word that it would take for a number."""
+
+
+def _refuse_constant(word: str) -> NoReturn:
+    """Stop at `NaN` or an infinity; the reader does not tell where it is."""
+    raise _NotFinite
+
+
+def _not_finite(text: str) -> InputError:
+    """The refusal of the first `NaN` or infinity outside strings: up to there the text is JSON."""
+    found = next(token for token in _STRING_OR_CONSTANT.finditer(text) if token["constant"])
+    line = text.count("\n", 0, found.start()) + 1
+    column = found.start() - text.rfind("\n", 0, found.start())
+    message = f"{found['constant']} is not a number of JSON, at line {line}, column {column}"
+    return InputError("number", message, {"line": line, "column": column})
 
 
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -134,7 +151,7 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 _DECODER = json.JSONDecoder(
     parse_float=JsonNumber,
     parse_int=_integer,
-    parse_constant=_not_finite,
+    parse_constant=_refuse_constant,
     object_pairs_hook=_object,
 )
 

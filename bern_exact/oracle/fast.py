@@ -95,7 +95,7 @@ def _look_at_indices(mesh: Mesh, found: Findings) -> dict[int, Triangle]:
             found.add("repeated-index", {"triangle": t}, {"corners": list(corners)})
         else:
             bad = next(v for v in corners if not 0 <= v < size)
-            found.add("index-out-of-range", {"triangle": t}, {"index": str(bad)})
+            found.add("index-out-of-range", {"triangle": t}, {"index": str(mpz(bad))})
     first: dict[HPoint, int] = {}
     for v, p in enumerate(mesh.vertices):
         other = first.setdefault(p, v)

@@ -18,6 +18,7 @@ from bern_exact.exact.points import coordinates, hpoint
 from bern_exact.formats.mesh_json import dumps_mesh, load_mesh, mesh_document, read_mesh
 from bern_exact.formats.polygon_json import read_polygon
 from bern_exact.oracle import judge
+from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.mesh import Mesh
 from tests.formats.test_polygon_json import json_values
 
@@ -111,6 +112,14 @@ def test_what_a_judge_finds_is_read(triangles: list[list[int]], schema: Any) -> 
     assert read_mesh(document)[0].triangles == tuple(map(tuple, triangles))
 
 
+@pytest.mark.parametrize("digits", [900, 5_000, 50_000])
+def test_an_index_of_any_length_is_read_and_judged(digits: int) -> None:
+    text = '{"vertices": [[0, 0], [1, 0], [0, 1]], "triangles": [[0, 1, -%s]]}' % ("7" * digits)
+    mesh, _ = load_mesh(io.StringIO(text))
+    (defect,) = [d for d in verify_mesh(mesh, None).defects if d.kind == "index-out-of-range"]
+    assert defect.witness == {"index": "-" + "7" * digits}
+
+
 def test_duplicate_and_missing_vertices_are_read() -> None:
     assert len(read_mesh(but(vertices=[["0", "0"]] * 3))[0].vertices) == 3
     assert read_mesh(but(vertices=[]))[0].vertices == ()
@@ -145,7 +154,7 @@ BAD_TRIANGLES = [
     ("[[0, null, 2]]", "schema", "[0][1]"),
     ("[[0, 1.0, 2]]", "number", "[0][1]"),
     ("[[0, 1e999999999, 2]]", "number", "[0][1]"),
-    (f"[[{'9' * 5000}, 1, 2]]", "number", "[0][0]"),
+    (f"[[{'9' * 100_001}, 1, 2]]", "number", "[0][0]"),
 ]
 START = '{"format": "bern-exact/mesh", "version": 1, "vertices": [], "triangles": '
 REFUSED += [(f"{START}{text}}}", kind, f"$.triangles{path}") for text, kind, path in BAD_TRIANGLES]

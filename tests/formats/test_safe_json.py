@@ -91,6 +91,10 @@ def test_a_refusal_says_where() -> None:
     with pytest.raises(InputError) as refusal:
         loads('{"a": 1, "b": 2, "a": 3}')
     assert refusal.value.where == {"key": "a"}
+    with pytest.raises(InputError) as refusal:
+        loads('{"a": "NaN, \\"NaN",\n "b": [1, -Infinity, NaN]}')
+    assert refusal.value.where == {"line": 2, "column": 11}
+    assert refusal.value.message.startswith("-Infinity ")
 
 
 def test_a_file_that_never_ends_is_refused() -> None:
