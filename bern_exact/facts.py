@@ -48,7 +48,7 @@ class Facts:
     def to_json(self) -> dict[str, Any]:
         """The facts as `facts --json` prints them."""
         place = self.polygon.place
-        at: dict[str, Any] = {"edge": list(place(self.feature.edge))}
+        at: dict[str, Any] = {"edge": list(self.polygon.edge_place(self.feature.edge))}
         if self.feature.vertex is not None:
             at = {"vertex": list(place(self.feature.vertex)), **at}
         return {

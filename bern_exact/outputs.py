@@ -27,14 +27,18 @@ def write_atomically(path: Path, text: str) -> None:
     OSError
         If it cannot be written; then the old file, if any, is still there.
     """
-    path = Path(os.path.realpath(path))
+    try:
+        _write(Path(os.path.realpath(path)), text)
+    except OSError as error:  # its file is the temporary one or none: nobody would know it
+        raise OSError(error.errno, error.strerror, str(path)) from error
+
+
+def _write(path: Path, text: str) -> None:
+    """Write to a path that is no link."""
     if path.exists() and not path.is_file():
         path.write_text(text, encoding="utf-8", newline="\n")
         return
-    try:
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name[:50]}.", dir=path.parent)
-    except OSError as error:  # which names the temporary file: nobody has heard of that
-        raise OSError(error.errno, error.strerror, str(path)) from None
+    handle, temporary = tempfile.mkstemp(prefix=f".{path.name[:50]}.", dir=path.parent)
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
             stream.write(text)

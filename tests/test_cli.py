@@ -254,7 +254,7 @@ def test_facts_of_a_square_frame(frame: str, capsys: pytest.CaptureFixture[str])
         "holes": 1,
         "area": "72",
         "feature_size_squared": "9",
-        "feature_size_at": {"edge": [1, 0]},
+        "feature_size_at": {"edge": [1, 3]},
         "diameter_squared": "162",
         "acute_vertices": [],
         "convex": False,

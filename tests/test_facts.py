@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from itertools import combinations
 
+import pytest
 from gmpy2 import mpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.exact.predicates import orientation, squared_distance
-from bern_exact.facts import convex_hull, is_acute, squared_diameter
+from bern_exact.facts import convex_hull, facts_of, is_acute, squared_diameter
 from bern_exact.plane.polygon import Polygon
+from bern_exact.plane.validation import polygon_from_rings
 
 small = st.integers(-6, 6)
 points = st.builds(hpoint, small, small)
@@ -47,3 +49,17 @@ def test_a_reflex_corner_is_not_acute() -> None:
     corners = ((0, 0), (4, 0), (4, 4), (mpq(7, 2), 1))
     dart = Polygon(tuple(hpoint(x, y) for x, y in corners), ((0, 1, 2, 3),))
     assert not is_acute(dart, 3)
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["as given", "turned round"])
+@pytest.mark.parametrize("first", range(4))
+def test_the_short_edge_is_named_as_in_the_input(first: int, turned: bool) -> None:
+    outer = [(-20, -20), (20, -20), (20, 20), (-20, 20)]
+    ring = [(0, 0), (10, 0), (10, 1), (0, 10)]
+    hole = ring[first:] + ring[:first]
+    hole = hole[::-1] if turned else hole
+    polygon = polygon_from_rings([[hpoint(x, y) for x, y in corners] for corners in (outer, hole)])
+    at = facts_of(polygon).to_json()["feature_size_at"]
+    number, index = at["edge"]
+    assert number == 1 and list(at) == ["edge"]
+    assert {hole[index], hole[(index + 1) % 4]} == {(10, 0), (10, 1)}

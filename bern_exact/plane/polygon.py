@@ -113,6 +113,15 @@ class Polygon:
         ring = self.ring_of[vertex]
         return ring, vertex - self.rings[ring][0]
 
+    def edge_place(self, edge: int) -> tuple[int, int]:
+        """[ring, index] of an edge in the input: it joins vertices index and index + 1.
+
+        In a ring that was turned round that is not where the edge begins here, but where it ends.
+        """
+        ring, tail = self.place(edge)
+        _, head = self.place(self.after[edge])
+        return ring, tail if head == (tail + 1) % len(self.rings[ring]) else head
+
     def input_ring(self, ring: int) -> Sequence[HPoint]:
         """The points of a ring in input order."""
         indices = self.rings[ring]
