@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,7 +11,7 @@ import click
 from bern_exact.checkers.findings import LemmaViolation
 from bern_exact.cli import cli
 from bern_exact.exact.errors import InputError
-from bern_exact.outputs import emit_json
+from bern_exact.outputs import emit, emit_json
 from bern_exact.trace import plain
 
 USAGE, BAD_INPUT, VIOLATION, INTERRUPTED = 2, 3, 4, 130
@@ -67,9 +66,9 @@ def run() -> None:
     """The installed command `bern-exact`."""
     status = main()
     try:
-        sys.stdout.flush()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        emit("")  # and with it all that is still buffered
+    except OSError:
+        status = status or USAGE
     sys.exit(status)
 
 

@@ -59,14 +59,24 @@ def _mode(path: Path) -> int:
 
 
 def emit(text: str) -> None:
-    """Write to stdout, as UTF-8 whatever the locale; a reader that has gone away is no error."""
+    """Write to stdout, as UTF-8 whatever the locale; a reader that has gone away is no error.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written, for want of room say.
+    """
+    if sys.stdout is None:  # closed from the start: nobody wants to know
+        return
     try:
         sys.stdout.flush()
         sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
         sys.stdout.buffer.flush()
-    except BrokenPipeError:
+    except OSError as error:
         # What is still buffered must not fail again when Python shuts down.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not isinstance(error, BrokenPipeError):
+            raise OSError(error.errno, error.strerror, "standard output") from error
 
 
 def emit_json(record: Mapping[str, Any], path: Path | None = None) -> None:

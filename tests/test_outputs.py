@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import stat
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -59,3 +61,27 @@ def test_a_device_is_written_to_and_not_replaced() -> None:
 def test_a_directory_that_is_not_there_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         write_atomically(tmp_path / "no" / "x", "text")
+
+
+def run_with(shell: str) -> subprocess.CompletedProcess[str]:
+    """`bern-exact facts` on a real polygon, its stdout and stderr redirected."""
+    words = f"{sys.executable} -m bern_exact facts examples/mdi_cog.json {shell}"
+    root = Path(__file__).resolve().parent.parent
+    return subprocess.run(words, shell=True, cwd=root, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no full disk here")
+@pytest.mark.parametrize("option", ["", "--json"])
+def test_a_full_disk_is_no_traceback_and_not_the_answer_no(option: str) -> None:
+    done = run_with(f"{option} > /dev/full")
+    assert done.returncode == 2
+    assert "standard output: No space left" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a POSIX shell")
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
+def test_closed_streams_are_no_error(closed: str) -> None:
+    done = run_with(closed)
+    assert done.returncode == 0
+    assert done.stderr == ""
