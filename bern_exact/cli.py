@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -38,8 +39,21 @@ from bern_exact.view.triangulation import draw_triangulation
 STAGES = 11
 """How many stages the progress bar expects."""
 
+
+class Target(click.Path):
+    """A file to be written.  Its directory is looked for before the work, not after it."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path, if its directory is there."""
+        path = super().convert(value, param, ctx)
+        directory = Path(os.fsdecode(path)).parent
+        if not directory.is_dir():
+            self.fail(f"Directory '{directory}' does not exist.", param, ctx)
+        return path
+
+
 SOURCE = click.Path(exists=True, dir_okay=False, path_type=Path)
-TARGET = click.Path(path_type=Path, dir_okay=False)
+TARGET = Target(path_type=Path, dir_okay=False)
 
 numbers_option = click.option(
     "--numbers",

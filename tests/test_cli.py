@@ -243,6 +243,16 @@ def test_an_angle_that_is_none_is_wrong_usage(bound: str, mesh: str) -> None:
     assert main(["verify", mesh, "--max-angle", bound]) == 2
 
 
+@pytest.mark.parametrize("option", ["-o", "--svg"])
+def test_a_missing_directory_is_told_before_the_work(
+    option: str, frame: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    trace, target = tmp_path / "trace", tmp_path / "no" / "x.mesh.json"
+    assert main(["triangulate", frame, option, str(target), "--trace", str(trace)]) == 2
+    assert f"Directory '{target.parent}' does not exist" in capsys.readouterr().err
+    assert not trace.exists()
+
+
 # ---------------------------------------------------------------- facts
 
 

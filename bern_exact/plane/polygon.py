@@ -9,6 +9,7 @@ from os import PathLike
 
 from gmpy2 import mpq
 
+from bern_exact.exact.errors import InputError
 from bern_exact.exact.points import HPoint, Line, line_through
 
 
@@ -56,13 +57,15 @@ class Polygon:
         Raises
         ------
         InputError
-            If the file is not what it must be.
+            If the file is not what it must be, or `numbers` is neither.
         OSError
             If it cannot be read.
         """
         # The one import upwards: users look for this name here, and formats need this class.
         from bern_exact.formats import read_polygon_file
 
+        if numbers not in ("decimal", "binary64"):
+            raise InputError("unsupported", f"numbers {numbers!r}: decimal or binary64")
         return read_polygon_file(path, binary64=numbers == "binary64")
 
     @property
