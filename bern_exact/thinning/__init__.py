@@ -1,0 +1,1 @@
+"""Thinning: taking away every vertex that a mesh's guarantees can spare."""
