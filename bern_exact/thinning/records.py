@@ -21,7 +21,7 @@ class Thinned:
     removed : int
         How many vertices went.
     rounds : int
-        How many times all vertices that could change were gone through.
+        How many rounds there were, each trying larger stars than the one before.
     """
 
     raw: Mesh
