@@ -66,10 +66,13 @@ def triangulated(
 
 def touched_rectangles(warped: Warped, tracer: Tracer) -> Iterator[Face]:
     """The rectangles without a piece of boundary, one of whose corners has moved."""
+    taken = set(tracer.taken)
     for node in sorted(warped.moved):
         for heading in (EAST, NORTH, WEST, SOUTH):
-            if (node, heading) not in tracer.taken:
-                ring = tracer.rectangle(node, heading)
+            if (node, heading) not in taken:
+                corners = tracer.rectangle(node, heading)
+                taken.update(corners)
+                ring = tuple(corner for corner, _ in corners)
                 yield Face(ring, _block(warped, ring, warped.moved[node]))
 
 

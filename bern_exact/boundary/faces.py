@@ -18,6 +18,9 @@ from bern_exact.boundary.records import VERTICAL, Diced, Face, GridNode, Node, T
 Piece = tuple[int, int]
 """(edge, j): the piece of an edge between its nodes j and j + 1 from the tail."""
 
+Corner = tuple[GridNode, int]
+"""(grid vertex, direction of arrival): a corner of the face on the left."""
+
 
 class Tracer:
     """Traces faces and remembers which corners at grid vertices they have taken.
@@ -38,8 +41,8 @@ class Tracer:
         for found in diced.on_edge:
             for i, j in enumerate(found):
                 self._rank[j] = i + 1
-        self.taken: set[tuple[GridNode, int]] = set()
-        """(grid vertex, direction of arrival) for every corner of a traced face."""
+        self.taken: set[Corner] = set()
+        """The corners at grid vertices of the faces along the boundary."""
 
     def pieces(self, edge: int) -> int:
         """How many pieces the crossings cut an edge into."""
@@ -79,18 +82,19 @@ class Tracer:
             step = arrangement.step_from_node(node, heading)
         return self._diced.crossings[step.crossing].edge, self._rank[step.crossing]
 
-    def rectangle(self, node: GridNode, heading: int) -> tuple[GridNode, ...]:
-        """The face with a corner at a grid vertex, reached by `heading`; none of it is boundary."""
-        ring = []
-        current = node
+    def rectangle(self, node: GridNode, heading: int) -> tuple[Corner, ...]:
+        """The face with a corner at a grid vertex, reached by `heading`; none of it is boundary.
+
+        Its four corners, counter-clockwise.  Nothing is remembered.
+        """
+        corners = []
         for _ in range(4):
-            ring.append(current)
-            self.taken.add((current, heading))
+            corners.append((node, heading))
             heading = (heading + 1) % 4
-            step = self.arrangement.step_from_node(current, heading)
+            step = self.arrangement.step_from_node(node, heading)
             vertical = heading in (NORTH, SOUTH)
-            current = (current[0], step.line) if vertical else (step.line, current[1])
-        return tuple(ring)
+            node = (node[0], step.line) if vertical else (step.line, node[1])
+        return tuple(corners)
 
 
 def trace(diced: Diced) -> tuple[Traced, Tracer]:
