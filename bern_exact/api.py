@@ -26,6 +26,7 @@ from bern_exact.theorems.stages import Check, Construction, Observer, RefusedOpt
 from bern_exact.theorems.theorem_1 import theorem_1
 from bern_exact.theorems.theorem_2 import DEGREES_150, theorem_2
 from bern_exact.theorems.theorem_3 import theorem_3
+from bern_exact.theorems.thinned import thinned
 
 THEOREMS: Mapping[int, Callable[..., Construction]] = {1: theorem_1, 2: theorem_2, 3: theorem_3}
 """The constructions in this version, by theorem."""
@@ -85,6 +86,8 @@ def triangulate(
     objective: Objective | None = None,
     squares: bool = False,
     baseline: bool = False,
+    thin: bool = False,
+    thin_angle: AngleBound | str | int | None = None,
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,
@@ -113,6 +116,11 @@ def triangulate(
     baseline : bool
         The simpler construction that the theorem improves on: all interior rectangles, split
         by diagonals.
+    thin : bool
+        Afterwards remove every vertex that the guarantees can spare; the mesh is then the
+        thinned one, and `certificate.raw` keeps the raw mesh's figures.
+    thin_angle : AngleBound, str or int, optional
+        With `thin`: a smaller angle bound for new triangles, as far as it goes.
     check : {"every-stage", "final", "none"}
         Which claims are checked: each after its stage, the theorem's own at the end, or none.
     as_printed : bool
@@ -168,7 +176,21 @@ def triangulate(
             raise RefusedOption(f"{name.replace('_', ' ')} is not an option of Theorem {chosen}")
     construct = _baseline_of(chosen, given) if baseline else THEOREMS[chosen]
     made = construct(polygon, **given, check=check, as_printed=as_printed, observer=observer)
-    return _result(made, chosen)
+    result = _result(made, chosen)
+    if not thin:
+        if thin_angle is not None:
+            raise RefusedOption("thin angle is an option of thinning only")
+        return result
+    sparse = thinned(
+        made,
+        max_angle=None if chosen == 1 else bound or DEGREES_150,
+        thin_angle=thin_angle
+        if isinstance(thin_angle, AngleBound | None)
+        else _angle_bound(thin_angle),
+        check=check,
+        observer=observer,
+    )
+    return _result(sparse, chosen, result.certificate)
 
 
 def _angle_bound(written: str | int) -> AngleBound:
@@ -185,7 +207,7 @@ def _baseline_of(theorem: int, given: dict[str, Any]) -> Callable[..., Construct
     return construct_baseline
 
 
-def _result(made: Construction, theorem: int) -> Result:
+def _result(made: Construction, theorem: int, raw: Certificate | None = None) -> Result:
     """A construction with its certificate."""
     mesh = made.assembled.mesh
     certificate = Certificate(
@@ -199,8 +221,12 @@ def _result(made: Construction, theorem: int) -> Result:
         triangles=len(mesh.triangles),
         worst=extremes(mesh),
         claims=tuple(made.findings),
+        raw=raw,
     )
-    classes = tuple(CLASSES[tag] for tag in made.assembled.classes)
+    # A thinned triangle comes from nowhere in particular.
+    classes = tuple(CLASSES[tag] for tag in made.assembled.classes) or ("mesh",) * len(
+        mesh.triangles
+    )
     return Result(made.polygon, mesh, classes, certificate, made.records)
 
 

@@ -86,6 +86,8 @@ class Certificate:
         The largest angle and the least height.
     claims : sequence of Finding
         Every claim of every lemma on the way.
+    raw : Certificate, optional
+        Of the mesh before thinning, if this one is of a thinned mesh.
     """
 
     theorem: int
@@ -98,6 +100,7 @@ class Certificate:
     triangles: int
     worst: Extremes
     claims: Sequence[Finding]
+    raw: Certificate | None = None
 
     @property
     def max_angle(self) -> Angle:
@@ -124,8 +127,7 @@ class Certificate:
 
         Enclosures are certified decimals `[lower, upper]` of what is irrational.
         """
-        angle = self.max_angle
-        return {
+        record = {
             "theorem": self.theorem,
             "n": self.n,
             "holes": self.holes,
@@ -134,6 +136,17 @@ class Certificate:
             "grid_unit": None if self.grid_unit is None else format_rational(self.grid_unit),
             "rotation": None if self.rotation is None else [*map(format_rational, self.rotation)],
             "counts": {stage: dict(counts) for stage, counts in self.counts.items()},
+            **self.figures(),
+            "claims": [claim.to_json() for claim in self.claims],
+        }
+        if self.raw is not None:
+            record["raw"] = self.raw.figures()
+        return record
+
+    def figures(self) -> dict[str, Any]:
+        """What was measured of the mesh: size, largest angle, least height."""
+        angle = self.max_angle
+        return {
             "triangles": self.triangles,
             "max_angle": {
                 "cos_sign": angle.cos_sign,
@@ -146,5 +159,4 @@ class Certificate:
             "min_height_triangle": self.worst.thinnest,
             "height_ratio_squared": format_rational(self.height_ratio_squared),
             "height_ratio": list(sqrt_enclosure(self.height_ratio_squared)),
-            "claims": [claim.to_json() for claim in self.claims],
         }

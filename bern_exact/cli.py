@@ -116,6 +116,12 @@ def cli() -> None:
 )
 @click.option("--squares", is_flag=True, help="Theorem 2: the paper's squares in Lemma 6.")
 @click.option("--baseline", is_flag=True, help="The O(n^2) construction that is improved on.")
+@click.option("--thin", is_flag=True, help="Remove every vertex that the guarantees can spare.")
+@click.option(
+    "--thin-angle",
+    callback=parsed_by(parse_angle_bound),
+    help="With --thin: a smaller angle for new triangles, as far as it goes.",
+)
 @click.option(
     "--trace",
     type=click.Path(path_type=Path, file_okay=False),
@@ -133,6 +139,8 @@ def triangulate_command(
     objective: Objective | None,
     squares: bool,
     baseline: bool,
+    thin: bool,
+    thin_angle: AngleBound | None,
     check: Check,
     as_printed: bool,
     trace: Path | None,
@@ -159,6 +167,8 @@ def triangulate_command(
                 objective=objective,
                 squares=squares,
                 baseline=baseline,
+                thin=thin,
+                thin_angle=thin_angle,
                 check=check,
                 as_printed=as_printed,
                 observer=progress,

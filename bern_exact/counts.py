@@ -9,6 +9,7 @@ from bern_exact.boundary.records import BoundaryMesh, Diced, Lopped, MergedMesh,
 from bern_exact.interior.records import Rectilinear, Swept
 from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.theorems.assemble import Assembled
+from bern_exact.thinning.records import Thinned
 
 
 def stage_counts(records: Mapping[str, object]) -> dict[str, dict[str, int]]:
@@ -91,6 +92,10 @@ def _mesh(record: Assembled) -> dict[str, int]:
     return {"vertices": len(record.mesh.vertices), "triangles": len(record.mesh.triangles)}
 
 
+def _thinned(record: Thinned) -> dict[str, int]:
+    return {"removed": record.removed, "triangles": len(record.mesh.triangles)}
+
+
 _COUNTS: dict[type, Callable[[Any], dict[str, int]]] = {
     Lopped: _lopped,
     Diced: _diced,
@@ -103,4 +108,5 @@ _COUNTS: dict[type, Callable[[Any], dict[str, int]]] = {
     Rectilinear: _interior,
     Swept: _swept,
     Assembled: _mesh,
+    Thinned: _thinned,
 }
