@@ -20,11 +20,11 @@ demo: $(STAMP)
 	@echo "The judge: one file, standard library only, imports nothing of the package:"
 	$(BIN)/python -I bern_exact/oracle/judge.py $(OUT)/$(NAME).mesh.json $(POLYGON)
 	@echo
-	@echo "A puzzle piece. Theorem 2, no angle above 150 degrees, and the judge on that:"
-	$(BIN)/bern-exact triangulate examples/mdi_puzzle.json --theorem 2 -o $(OUT)/puzzle.mesh.json --svg $(OUT)/puzzle.svg
-	$(BIN)/python -I bern_exact/oracle/judge.py $(OUT)/puzzle.mesh.json --max-angle 150
+	@echo "The same by Theorem 3, no angle above 150 degrees, and thinned; and the judge on that:"
+	$(BIN)/bern-exact triangulate $(POLYGON) --theorem 3 --thin -o $(OUT)/thin.mesh.json --svg $(OUT)/thin.svg
+	$(BIN)/python -I bern_exact/oracle/judge.py $(OUT)/thin.mesh.json --max-angle 150
 	@echo
-	@echo "Look at $(OUT)/$(NAME).svg and $(OUT)/puzzle.svg in a browser, and at the certificates at the end of the .mesh.json files"
+	@echo "Look at $(OUT)/$(NAME).svg and $(OUT)/thin.svg in a browser, and at the certificates at the end of the .mesh.json files"
 
 test: lint types pytest
 

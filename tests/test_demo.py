@@ -27,3 +27,5 @@ def test_the_demo_triangulates_verifies_and_draws(tmp_path: Path) -> None:
     assert document["certificate"]["holes"] == 1
     assert all(c["holds"] for c in document["certificate"]["claims"] if c["role"] == "guarantee")
     ElementTree.parse(tmp_path / "south_africa.svg")
+    thin = json.loads((tmp_path / "thin.mesh.json").read_text())["certificate"]
+    assert thin["triangles"] < thin["raw"]["triangles"]
