@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -17,6 +17,7 @@ from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.formats import safe_json
 from bern_exact.formats.mesh_json import mesh_document
 from bern_exact.interior.subdivided.choice import Method
+from bern_exact.oracle.api import polygon_of
 from bern_exact.outputs import write_atomically
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
@@ -78,7 +79,7 @@ class Result:
 
 
 def triangulate(
-    polygon: Polygon,
+    polygon: Polygon | Mapping[str, Any] | Iterable[Any],
     *,
     theorem: int | None = None,
     max_angle: AngleBound | str | int | None = None,
@@ -96,8 +97,9 @@ def triangulate(
 
     Parameters
     ----------
-    polygon : Polygon
-        Valid: `Polygon.load` and `polygon_from_rings` make no others.
+    polygon : Polygon, rings or mapping
+        A `Polygon` (valid: `Polygon.load` makes no others), a ring, a list of rings with the outer
+        one first, or `{"outer": ring, "holes": [ring, ...]}`; coordinates as in `verify`.
     theorem : {1, 2, 3, 4}, optional
         1: O(n) triangles of nearly the greatest least height; 2: a simple polygon, no angle
         above 150 degrees; 3: the same with holes; 4: convex, no obtuse angle.  Without it, 2
@@ -144,15 +146,13 @@ def triangulate(
 
     Examples
     --------
-    >>> from bern_exact.plane.validation import polygon_from_rings
-    >>> from bern_exact.exact.points import hpoint
-    >>> triangle = polygon_from_rings([[hpoint(0, 0), hpoint(4, 0), hpoint(1, 3)]])
-    >>> result = triangulate(triangle, theorem=1)
-    >>> result.certificate.holds, result.mesh.vertices[:3] == triangle.points
+    >>> result = triangulate([(0, 0), (4, "1/3"), (1, 3)], theorem=1)
+    >>> result.certificate.holds, result.mesh.vertices[:3] == result.polygon.points
     (True, True)
     """
     if theorem not in (None, 1, 2, 3, 4):
         raise RefusedOption(f"no theorem {theorem}: 1, 2, 3 or 4")
+    polygon = polygon_of(polygon)
     chosen = theorem or (3 if polygon.holes else 2)
     if chosen not in THEOREMS:
         raise NotInThisVersion(f"Theorem {chosen} is not in this version; Theorems 1, 2 and 3 are")

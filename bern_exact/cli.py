@@ -40,12 +40,19 @@ STAGES = 11
 """How many stages the progress bar expects."""
 
 
+FOREIGN = frozenset((".node", ".ele", ".poly", ".off", ".obj", ".msh", ".vtk", ".vtu"))
+"""Suffixes of formats that are not written: JSON under such a name would mislead."""
+
+
 class Target(click.Path):
     """A file to be written.  Its directory is looked for before the work, not after it."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """The path, if its directory is there."""
         path = super().convert(value, param, ctx)
+        suffix = Path(os.fsdecode(path)).suffix.lower()
+        if suffix in FOREIGN:
+            self.fail(f"Writing '{suffix}' is not in this version; '.json' is.", param, ctx)
         directory = Path(os.fsdecode(path)).parent
         if not directory.is_dir():
             self.fail(f"Directory '{directory}' does not exist.", param, ctx)

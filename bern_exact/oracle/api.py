@@ -80,8 +80,8 @@ def verify(
     """
     points = _points(vertices, "vertices")
     corners = tuple(_triangle(item, t) for t, item in enumerate(_listed(triangles, "triangles")))
-    if polygon is not None and not isinstance(polygon, Polygon):
-        polygon = polygon_from_rings(_rings(polygon))
+    if polygon is not None:
+        polygon = polygon_of(polygon)
     bound = max_angle
     if bound is not None and not isinstance(bound, AngleBound):
         bound = parse_angle_bound(bound if isinstance(bound, str) else str(bound))
@@ -94,6 +94,28 @@ def verify(
         max_triangles=max_triangles,
         limit=limit,
     )
+
+
+def polygon_of(value: Polygon | Mapping[str, Any] | Iterable[Any]) -> Polygon:
+    """A polygon from the forms in which users have one, validated exactly.
+
+    Parameters
+    ----------
+    value : Polygon, rings or mapping
+        A `Polygon`; a ring; a list of rings, the outer one first; or `{"outer": ring,
+        "holes": [ring, ...]}`, with coordinates as in `verify`.
+
+    Raises
+    ------
+    InputError
+        If it is none of these, or not a polygon.
+
+    Examples
+    --------
+    >>> polygon_of([(0, 0), ("1/3", 0), (0, 0.5)]).area
+    mpq(1,12)
+    """
+    return value if isinstance(value, Polygon) else polygon_from_rings(_rings(value))
 
 
 def verify_with_feature_size(

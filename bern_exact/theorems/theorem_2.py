@@ -67,7 +67,8 @@ def theorem_2(
     if polygon.holes:
         raise InputError(
             "has-holes",
-            f"Theorem 2 is for simple polygons and this one has {polygon.holes} holes: "
+            f"Theorem 2 is for simple polygons and this one has {polygon.holes} "
+            f"hole{'' if polygon.holes == 1 else 's'}: "
             "Theorem 3 is meant",
             {"ring": 1},
         )
