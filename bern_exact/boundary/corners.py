@@ -175,8 +175,6 @@ def warp(traced: Traced, tracer: Tracer, tau: mpq = TAU) -> tuple[Warped, Warpin
     Linear time in the number of q-vertices.
     """
     rule = CornerRule(traced, tracer, tau)
-    moved: dict[GridNode, Node] = {}
-    instances: dict[Instance, Node] = {}
     corners: list[GridNode] = []
     rank: list[int] = []
     moved_1: dict[GridNode, int] = {}
@@ -188,8 +186,8 @@ def warp(traced: Traced, tracer: Tracer, tau: mpq = TAU) -> tuple[Warped, Warpin
         moved_1.update(chosen.moved)
         instances_1.update(chosen.instances)
     warping = Warping(rule.q, moved_1, instances_1)
-    moved.update(moved_1)
-    instances.update(instances_1)
+    moved: dict[GridNode, Node] = dict(moved_1)
+    instances: dict[Instance, Node] = dict(instances_1)
     choices = {
         j: wish for j, wish in enumerate(rule.q.wishes) if wish is not None and warping.is_free(j)
     }

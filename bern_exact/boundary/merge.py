@@ -118,8 +118,7 @@ class Merger:
         """A ring from `head` round to `tail`, leaving out the edge between them."""
         ring = self.rings[number]
         start = ring.index(head)
-        turned = [*ring[start:], *ring[:start]]
-        return turned
+        return [*ring[start:], *ring[:start]]
 
     def _joined(self, run: _Run, number: int, tail: Node, head: Node) -> _Run | None:
         """The run with the next face, if exactly one grid edge hits the boundary edge between."""

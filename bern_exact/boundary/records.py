@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 from gmpy2 import mpq
 
-from bern_exact.exact.points import HPoint
+from bern_exact.exact.points import HPoint, grid_point
 from bern_exact.exact.similarity import Similarity
 from bern_exact.plane.feature_size import FeatureSize
 from bern_exact.plane.polygon import Polygon
@@ -267,8 +267,6 @@ class Warped:
 
     def point_of(self, node: Node) -> HPoint:
         """The final position of any node of the arrangement, in grid coordinates."""
-        from bern_exact.exact.points import grid_point
-
         polygon = self.traced.diced.framed.polygon
         final = self.image_of(node)
         if isinstance(final, tuple):

@@ -64,6 +64,13 @@ def check_mesh(
     ]
 
 
+def check_count(theorem: str, mesh: Mesh, n: int, statement: str, bound: int) -> Finding:
+    """The number of triangles, for n vertices of P, against the theorem's bound."""
+    most = Extreme(greatest=True)
+    most.offer(len(mesh.triangles), 1, {"n": n})
+    return most.finding(f"{theorem}.count", STAGE, statement, bound)
+
+
 def by_threshold(tau: mpq) -> Angle:
     """135 degrees + arctan(2 tau).
 

@@ -6,9 +6,8 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.records import Framed, MergedMesh
 from bern_exact.checkers import bounds
-from bern_exact.checkers.extremes import Extreme
 from bern_exact.checkers.findings import Finding
-from bern_exact.checkers.no_large_angle import STAGE, AngleJudgement, check_mesh
+from bern_exact.checkers.no_large_angle import AngleJudgement, check_count, check_mesh
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.plane.feature_size import FeatureSize
 from bern_exact.plane.mesh import Mesh
@@ -51,12 +50,11 @@ def check_theorem_3(
     -----
     Heights are measured here again, not taken from the verdict.  Linear time.
     """
-    most = Extreme(greatest=True)
-    most.offer(len(mesh.triangles), 1, {"n": polygon.n})
     return [
-        most.finding(
-            "theorem-3.count",
-            STAGE,
+        check_count(
+            "theorem-3",
+            mesh,
+            polygon.n,
             "the mesh has at most C n + 4 N^1.5 + 8 N triangles, N <= 858 n (Lemma 8), "
             "C = 2837 from the parts",
             bounds.theorem_3_triangles(polygon.n),
