@@ -110,9 +110,9 @@ def triangulate(
     interior : {"strips", "bridges", "best"}, optional
         Theorem 3: Lemma 8, the holes joined to the boundary and Lemma 6, or whichever
         is smaller, the default.
-    objective : {"height", "angle"}, optional
+    objective : {"fewest", "height", "angle"}, optional
         Theorems 2 and 3: what the pieces along the boundary are best at, within both bounds:
-        the least height (default) or the largest angle.
+        their number (default), the least height or the largest angle.
     squares : bool
         Theorem 2: cut off the paper's unit squares in Lemma 6 instead of whole strips.
     baseline : bool

@@ -118,8 +118,8 @@ def cli() -> None:
 )
 @click.option(
     "--objective",
-    type=click.Choice(["height", "angle"]),
-    help="Theorems 2, 3: what faces along the boundary are best at (default: height).",
+    type=click.Choice(["fewest", "height", "angle"]),
+    help="Theorems 2, 3: what faces along the boundary are best at (default: fewest).",
 )
 @click.option("--squares", is_flag=True, help="Theorem 2: the paper's squares in Lemma 6.")
 @click.option("--baseline", is_flag=True, help="The O(n^2) construction that is improved on.")

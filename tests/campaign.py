@@ -132,7 +132,7 @@ def some_options(theorem: int, random: Random) -> Options:
     angles = ("150", "150", "150", "149.9", "145", "140", "136", "135.2", "cos:-1:25/34")
     options = {
         "max_angle": random.choice(angles),
-        "objective": random.choice(("height", "height", "angle")),
+        "objective": random.choice(("fewest", "fewest", "height", "angle")),
     }
     if theorem == 3:
         options["interior"] = random.choice(("best", "strips", "bridges"))

@@ -84,7 +84,7 @@ def test_interiors(interior: str, frame: str, capsys: pytest.CaptureFixture[str]
     assert record["certificate"]["theorem"] == 3
 
 
-@pytest.mark.parametrize("objective", ["height", "angle"])
+@pytest.mark.parametrize("objective", ["fewest", "height", "angle"])
 def test_objectives(objective: str, triangle: str, capsys: pytest.CaptureFixture[str]) -> None:
     mesh_of(capsys, triangle, "--objective", objective)
 

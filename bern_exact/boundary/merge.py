@@ -17,7 +17,7 @@ from bern_exact.boundary.boundary_mesh import touched_rectangles, triangulated
 from bern_exact.boundary.corners import TAU
 from bern_exact.boundary.faces import Tracer
 from bern_exact.boundary.optimal import HIGHEST_WITHIN_135, Demand
-from bern_exact.boundary.project import cuttable, project
+from bern_exact.boundary.project import Chooser, best_cuts, cuttable, fewest_cuts, project
 from bern_exact.boundary.records import (
     MergedFace,
     MergedMesh,
@@ -31,8 +31,9 @@ from bern_exact.exact.points import HPoint
 
 Ring = tuple[Node, ...]
 
-Objective = Literal["height", "angle"]
-"""What Lemma 5's pieces are best at: the greatest least height, or the least largest angle."""
+Objective = Literal["fewest", "height", "angle"]
+"""What Lemma 5's pieces are best at: few of them, the greatest least height, or the least largest
+angle."""
 
 
 def nodes_on_edge(warped: Warped, edge: int) -> list[Node]:
@@ -141,7 +142,7 @@ def merge_boundary(
     warping: Warping,
     tracer: Tracer,
     tau: mpq = TAU,
-    objective: Objective = "height",
+    objective: Objective = "fewest",
 ) -> MergedMesh:
     """The faces near the boundary, triangulated without large angles.
 
@@ -159,9 +160,10 @@ def merge_boundary(
         For the rectangles without a piece of boundary.
     tau : mpq
         The threshold of warping: no angle exceeds 135 degrees + arctan(2 tau).
-    objective : {"height", "angle"}
-        Choose the diagonals for the greatest least height within the angle bound, or for the
-        least largest angle with heights of at least tau / sqrt 2.
+    objective : {"fewest", "height", "angle"}
+        Choose as few diagonals as the angle bound and heights of at least tau / sqrt 2 allow; or
+        for the greatest least height within the angle bound; or for the least largest angle
+        with heights of at least tau / sqrt 2.
     """
     touched = (*warped.traced.faces, *touched_rectangles(warped, tracer))
     rings: list[Ring] = []
@@ -174,13 +176,16 @@ def merge_boundary(
     polygon = warped.traced.diced.framed.polygon
     first = polygon.n + len(warped.points)
     wanted = _demands(tau, objective)
+    choices: list[tuple[Chooser, Demand]] = [(best_cuts, demand) for demand in wanted]
+    if objective == "fewest":
+        choices.insert(0, (fewest_cuts, Demand(largest_kappa(tau), tau * tau / 2)))
     projected: list[Projected] = []
     projections: list[HPoint] = []
     for edge in range(polygon.n):
         for merged in merger.along(edge):
             points = [warping.image(node)[1] for node in merged.staircase]
             found, fresh = project(
-                cuttable(merged, polygon.lines[edge], points), wanted, first + len(projections)
+                cuttable(merged, polygon.lines[edge], points), choices, first + len(projections)
             )
             projected.append(found)
             projections += fresh
@@ -198,7 +203,7 @@ def _demands(tau: mpq, objective: Objective) -> tuple[Demand, ...]:
     """What a piece must keep, in order of preference; the last can always be kept."""
     kappa = largest_kappa(tau)
     by_height = (Demand(kappa), Demand())
-    return by_height if objective == "height" else (Demand(kappa, tau * tau / 2, True), *by_height)
+    return (Demand(kappa, tau * tau / 2, True), *by_height) if objective == "angle" else by_height
 
 
 def largest_kappa(tau: mpq) -> mpq:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from gmpy2 import mpq
@@ -10,6 +10,9 @@ from gmpy2 import mpq
 from bern_exact.exact.points import HPoint
 
 Triple = tuple[int, int, int]
+
+Rating = Callable[[int, int, int], mpq | None]
+"""How good the triangle of three of a ring's vertices is, or None if it is refused."""
 
 KAPPA_135 = mpq(1)
 """No angle above 135 degrees."""
@@ -103,6 +106,26 @@ def best_triangulation(points: Sequence[HPoint], demand: Demand) -> Triangulated
     Returns
     -------
     Triangulated or None
+        As `best_by_rating`.
+    """
+    return best_by_rating(
+        len(points), lambda i, j, k: rate(points[i], points[j], points[k], demand)
+    )
+
+
+def best_by_rating(size: int, rating: Rating) -> Triangulated | None:
+    """The best triangulation of a simple ring whose triangles are rated by the caller.
+
+    Parameters
+    ----------
+    size : int
+        The number of sides.
+    rating : callable
+        Of three increasing positions in the ring.
+
+    Returns
+    -------
+    Triangulated or None
         None if there is no triangulation that keeps the demand.  Of equally good ones, that
         with the least third corners.
 
@@ -113,11 +136,10 @@ def best_triangulation(points: Sequence[HPoint], demand: Demand) -> Triangulated
     point as often as the ring winds around it).  So orientation is the only test needed.
     Cubic in the number of sides, which is at most 7 in a face.
     """
-    size = len(points)
     if size == 3:
-        value = rate(points[0], points[1], points[2], demand)
+        value = rating(0, 1, 2)
         return None if value is None else Triangulated(((0, 1, 2),), value)
-    table = _Table(points, demand)
+    table = _Table(rating)
     for width in range(2, size):
         for i in range(size - width):
             table.fill(i, i + width)
@@ -131,8 +153,7 @@ def best_triangulation(points: Sequence[HPoint], demand: Demand) -> Triangulated
 class _Table:
     """Best values of the sub-polygons i, i + 1, ..., j."""
 
-    points: Sequence[HPoint]
-    demand: Demand
+    rating: Rating
     value: dict[tuple[int, int], mpq] = field(default_factory=dict)
     third: dict[tuple[int, int], int] = field(default_factory=dict)
 
@@ -143,7 +164,7 @@ class _Table:
             parts = self._parts(i, k, j)
             if parts is None or (best is not None and parts and min(parts) <= best):
                 continue
-            own = rate(self.points[i], self.points[k], self.points[j], self.demand)
+            own = self.rating(i, k, j)
             if own is None:
                 continue
             least = min([own, *parts])

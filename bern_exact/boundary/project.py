@@ -6,6 +6,9 @@ hits e at 45 degrees or more, so the trapezoids between have no large angle.  Th
 at the two end faces does not "come for free": a projection can land next to the
 end of e.  So the first and the last diagonal may be left out, and the end
 pieces are triangulated by the best of all ways.
+
+Most diagonals can be spared as well: between two of them any piece will do that has a
+triangulation within both bounds.  Each diagonal left out is a vertex and a triangle fewer.
 """
 
 from __future__ import annotations
@@ -15,9 +18,20 @@ from dataclasses import dataclass
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.optimal import Demand, Triangulated, best_triangulation
+from bern_exact.boundary.optimal import (
+    Demand,
+    Rating,
+    Triangulated,
+    best_by_rating,
+    best_triangulation,
+    rate,
+)
 from bern_exact.boundary.records import MergedFace, Node, Projected
 from bern_exact.exact.points import HPoint, Line, meet
+
+MOST_SPARED = 5
+"""The most neighbouring diagonals that are left out: time is cubic in it, and further ones are
+seldom spared."""
 
 
 @dataclass(frozen=True)
@@ -43,21 +57,24 @@ class Cuttable:
 
     def ring(self, i: int, j: int) -> list[HPoint]:
         """The piece between cuts i and j; -1 and len(cuts) stand for the ends of the base."""
+        return [
+            self.projections[~name] if name < 0 else self.staircase[name]
+            for name in self.names(i, j)
+        ]
+
+    def names(self, i: int, j: int) -> list[int]:
+        """The same piece by numbers: staircase positions, and ~k for the projection of cut k."""
         last = len(self.cuts)
         low = 1 if i < 0 else self.cuts[i]
         high = len(self.staircase) - 1 if j == last else self.cuts[j] + 1
-        start = self.staircase[0] if i < 0 else self.projections[i]
-        end = self.staircase[-1] if j == last else self.projections[j]
-        return [start, end, *reversed(self.staircase[low:high])]
+        start = 0 if i < 0 else ~i
+        end = len(self.staircase) - 1 if j == last else ~j
+        return [start, end, *reversed(range(low, high))]
 
     def nodes(self, i: int, j: int, number: Callable[[int], Node]) -> tuple[Node, ...]:
         """The same piece as nodes; `number` gives the node of a cut's projection."""
-        stairs, last = self.merged.staircase, len(self.cuts)
-        low = 1 if i < 0 else self.cuts[i]
-        high = len(stairs) - 1 if j == last else self.cuts[j] + 1
-        start = stairs[0] if i < 0 else number(i)
-        end = stairs[-1] if j == last else number(j)
-        return (start, end, *reversed(stairs[low:high]))
+        stairs = self.merged.staircase
+        return tuple(number(~name) if name < 0 else stairs[name] for name in self.names(i, j))
 
 
 def cuttable(merged: MergedFace, line: Line, points: Sequence[HPoint]) -> Cuttable:
@@ -84,15 +101,77 @@ def cuttable(merged: MergedFace, line: Line, points: Sequence[HPoint]) -> Cuttab
 
 @dataclass(frozen=True)
 class _Path:
-    """The best way to cut a face from its first end to a cut."""
+    """A way to cut a face from its first end to a cut: its worst piece's value, if any, and all."""
 
-    value: mpq
+    value: mpq | None
     pieces: tuple[tuple[int, int, Triangulated], ...]
+
+    def then(self, i: int, j: int, piece: Triangulated) -> _Path:
+        """This path and one more piece."""
+        value = piece.value if self.value is None else min(self.value, piece.value)
+        return _Path(value, (*self.pieces, (i, j, piece)))
 
     @property
     def rank(self) -> tuple[mpq, int]:
-        """What is compared: the worst piece, then few pieces."""
-        return self.value, -len(self.pieces)
+        """For the best path: the worst piece, then few pieces."""
+        return self.value or mpq(0), -len(self.pieces)
+
+    @property
+    def shortness(self) -> tuple[int, mpq]:
+        """For the shortest path: few pieces, then the worst piece."""
+        return -len(self.pieces), self.value or mpq(0)
+
+
+def fewest_cuts(face: Cuttable, demand: Demand) -> _Path | None:
+    """Choose as few diagonals as the demand allows; of equally few the best.
+
+    A shortest path from one end of the base to the other over the possible cuts, each step a
+    piece that has a triangulation within the demand.
+
+    Returns
+    -------
+    _Path or None
+        None if no choice keeps the demand with at most `MOST_SPARED` neighbours left out.
+    """
+    last = len(face.cuts)
+    rating = _Remembered(face, demand)
+    paths: dict[int, _Path] = {-1: _Path(None, ())}
+    for i in range(-1, last):
+        before = paths.get(i)
+        if before is None:
+            continue
+        for j in range(i + 1, min(last, i + 1 + MOST_SPARED) + 1):
+            known = paths.get(j)
+            if known is not None and len(known.pieces) <= len(before.pieces):
+                continue
+            found = best_by_rating(*rating.of_piece(i, j))
+            if found is None:
+                continue
+            path = before.then(i, j, found)
+            if known is None or path.shortness > known.shortness:
+                paths[j] = path
+    return paths.get(last)
+
+
+class _Remembered:
+    """Ratings of a face's triangles: neighbouring pieces have many in common."""
+
+    def __init__(self, face: Cuttable, demand: Demand) -> None:
+        self._face, self._demand = face, demand
+        self._known: dict[tuple[int, int, int], mpq | None] = {}
+
+    def of_piece(self, i: int, j: int) -> tuple[int, Rating]:
+        """The number of sides of the piece between two cuts, and the rating of its triangles."""
+        points, known, demand = self._face.ring(i, j), self._known, self._demand
+        names = self._face.names(i, j)
+
+        def rating(a: int, b: int, c: int) -> mpq | None:
+            key = names[a], names[b], names[c]
+            if key not in known:
+                known[key] = rate(points[a], points[b], points[c], demand)
+            return known[key]
+
+        return len(points), rating
 
 
 def best_cuts(face: Cuttable, demand: Demand) -> _Path | None:
@@ -103,17 +182,13 @@ def best_cuts(face: Cuttable, demand: Demand) -> _Path | None:
     _Path or None
         None if no choice keeps the demand.
     """
-    best: dict[int, _Path] = {}
+    best: dict[int, _Path] = {-1: _Path(None, ())}
     for i, j in _spans(len(face.cuts)):
         before = best.get(i)
-        if i >= 0 and before is None:
+        found = best_triangulation(face.ring(i, j), demand) if before else None
+        if before is None or found is None:
             continue
-        found = best_triangulation(face.ring(i, j), demand)
-        if found is None:
-            continue
-        value = found.value if before is None else min(before.value, found.value)
-        pieces = (*(before.pieces if before else ()), (i, j, found))
-        path = _Path(value, pieces)
+        path = before.then(i, j, found)
         if j not in best or path.rank > best[j].rank:
             best[j] = path
     return best.get(len(face.cuts))
@@ -129,8 +204,12 @@ def _spans(cuts: int) -> Iterator[tuple[int, int]]:
         yield -1, cuts  # both left out
 
 
+Chooser = Callable[[Cuttable, Demand], _Path | None]
+"""A way to choose diagonals."""
+
+
 def project(
-    face: Cuttable, demands: Sequence[Demand], first_number: int
+    face: Cuttable, demands: Sequence[tuple[Chooser, Demand]], first_number: int
 ) -> tuple[Projected, list[HPoint]]:
     """Cut a merged face up and triangulate it, by the first demand that can be kept.
 
@@ -138,8 +217,8 @@ def project(
     ----------
     face : Cuttable
         M with its diagonals.
-    demands : sequence of Demand
-        In order of preference.
+    demands : sequence of (chooser, Demand)
+        `fewest_cuts` or `best_cuts` and what for, in order of preference.
     first_number : int
         The node that the first new Steiner point becomes.
 
@@ -151,8 +230,8 @@ def project(
         The new Steiner points on the edge.
     """
     path = None
-    for demand in demands:
-        path = best_cuts(face, demand)
+    for choose, demand in demands:
+        path = choose(face, demand)
         if path:
             break
     if path is None:

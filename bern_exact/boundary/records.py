@@ -346,8 +346,8 @@ class Projected(NamedTuple):
     cuts : tuple of (Node, Node)
         (staircase vertex, its projection on the edge) of every diagonal, along the edge.
     pieces : tuple of (ring, triangles)
-        From the first base node to the last: the first and the last are the end faces, the
-        others trapezoids.
+        From the first base node to the last: the first and the last are the end faces, those
+        between diagonals from neighbouring staircase vertices trapezoids.
     """
 
     merged: MergedFace

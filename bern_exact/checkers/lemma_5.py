@@ -97,9 +97,11 @@ def _check_pieces(mesh: MergedMesh) -> list[Finding]:
         fitting.case(fits, (edge, item.merged.staircase))
         for ring, triangles in item.pieces:
             untiled.case(tiles(ring, triangles), (edge, ring))
+        position = {node: i for i, node in enumerate(item.merged.staircase)}
         for ring, first, second in zip(rings[1:-1], item.cuts, item.cuts[1:], strict=False):
-            fits = len(ring) == TRAPEZOID and {*first, *second} == {*ring}
-            trapezoids.case(fits, (edge, ring))
+            if position.get(second[0], -1) == position.get(first[0], -1) + 1:
+                fits = len(ring) == TRAPEZOID and {*first, *second} == {*ring}
+                trapezoids.case(fits, (edge, ring))
     return [
         fitting.finding(
             "lemma-5.pieces",
@@ -116,7 +118,8 @@ def _check_pieces(mesh: MergedMesh) -> list[Finding]:
         trapezoids.finding(
             "lemma-5.trapezoids",
             STAGE,
-            "every piece between two diagonals is a trapezoid of which they are two sides",
+            "every piece between diagonals from neighbouring staircase vertices is a trapezoid of "
+            "which they are two sides",
             describe=places.describe,
         ),
     ]

@@ -39,7 +39,7 @@ def baseline(
     polygon: Polygon,
     *,
     max_angle: AngleBound | None = None,
-    objective: Objective = "height",
+    objective: Objective = "fewest",
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,

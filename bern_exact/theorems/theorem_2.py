@@ -31,7 +31,7 @@ def theorem_2(
     polygon: Polygon,
     *,
     max_angle: AngleBound = DEGREES_150,
-    objective: Objective = "height",
+    objective: Objective = "fewest",
     squares: bool = False,
     check: Check = "every-stage",
     as_printed: bool = False,
@@ -48,7 +48,7 @@ def theorem_2(
         Valid and without holes.
     max_angle : AngleBound
         Above 135, at most 150 degrees.
-    objective : {"height", "angle"}
+    objective : {"fewest", "height", "angle"}
         What the pieces along the boundary are best at, within both bounds.
     squares : bool
         Cut the paper's unit squares off in Lemma 6 instead of whole strips.

@@ -34,7 +34,7 @@ def theorem_3(
     *,
     max_angle: AngleBound = DEGREES_150,
     interior: Method = "best",
-    objective: Objective = "height",
+    objective: Objective = "fewest",
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,
@@ -53,7 +53,7 @@ def theorem_3(
     interior : {"strips", "bridges", "best"}
         Lemma 8; the holes joined to the boundary and Lemma 6; or for each component of Q the
         one that is counted to have fewer vertices.
-    objective : {"height", "angle"}
+    objective : {"fewest", "height", "angle"}
         What the pieces along the boundary are best at, within both bounds.
     check, as_printed, observer
         As in `theorem_1`.

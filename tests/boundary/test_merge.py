@@ -6,7 +6,7 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.merge import largest_kappa, nodes_on_edge
 from bern_exact.boundary.optimal import Demand
-from bern_exact.boundary.project import cuttable, project
+from bern_exact.boundary.project import best_cuts, cuttable, project
 from bern_exact.exact.points import coordinates
 from bern_exact.exact.predicates import orientation
 from tests.boundary.merging import Boundary, Definition, merged, merger_of, points_of
@@ -87,7 +87,7 @@ def test_the_base_lies_on_the_edge_in_order(kind: str, seed: int) -> None:
 def test_any_order_of_edges_will_do(kind: str, seed: int) -> None:
     boundary = merged(kind, seed)
     merger, polygon = merger_of(boundary), boundary.warped.traced.diced.framed.polygon
-    demands = (Demand(largest_kappa(mpq(1, 8))),)
+    demands = [(best_cuts, Demand(largest_kappa(mpq(1, 8))))]
     for edge in reversed(range(polygon.n)):
         for face in merger.along(edge):
             possible = cuttable(face, polygon.lines[edge], points_of(boundary, face.staircase))

@@ -9,7 +9,15 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.merge import Objective, largest_kappa
 from bern_exact.boundary.optimal import Demand, rate
-from bern_exact.boundary.project import Cuttable, UncutFace, best_cuts, cuttable, project
+from bern_exact.boundary.project import (
+    MOST_SPARED,
+    Cuttable,
+    UncutFace,
+    best_cuts,
+    cuttable,
+    fewest_cuts,
+    project,
+)
 from bern_exact.boundary.records import Projected
 from bern_exact.checkers.lemma_5 import check_lemma_5
 from bern_exact.checkers.printed_ends import check_merged_as_printed
@@ -23,7 +31,7 @@ from tests.checkers.merged_samples import END_FACE, LOW_CORNER, SLENDER
 
 TAU = mpq(1, 8)
 OBJECTIVES: tuple[Objective, ...] = ("height", "angle")
-both_objectives = pytest.mark.parametrize("objective", OBJECTIVES)
+every_objective = pytest.mark.parametrize("objective", ("fewest", *OBJECTIVES))
 
 
 def cut_faces(boundary: Boundary) -> Iterator[tuple[Projected, Cuttable]]:
@@ -35,7 +43,7 @@ def cut_faces(boundary: Boundary) -> Iterator[tuple[Projected, Cuttable]]:
 
 
 @every_family
-@both_objectives
+@every_objective
 def test_the_pieces_tile_the_face(kind: str, seed: int, objective: Objective) -> None:
     boundary = merged(kind, seed, objective)
     for item in boundary.mesh.projected:
@@ -115,6 +123,40 @@ def best_triangulation_value(face: Cuttable, i: int, j: int, demand: Demand) -> 
     return best(0, len(ring) - 1)
 
 
+@every_family
+def test_no_choice_of_diagonals_within_the_bounds_is_smaller(kind: str, seed: int) -> None:
+    demand = Demand(largest_kappa(TAU), TAU * TAU / 2)
+    for item, possible in cut_faces(merged(kind, seed, "fewest")):
+        least = fewest_pieces(possible, demand)
+        found = fewest_cuts(possible, demand)
+        assert (found is None) == (least is None)
+        if least is not None:
+            assert len(item.pieces) == least
+
+
+def fewest_pieces(face: Cuttable, demand: Demand) -> int | None:
+    """The least number of pieces, by trying every next one."""
+    last = len(face.cuts)
+    least: dict[int, int] = {last: 0}
+    for i in range(last - 1, -2, -1):
+        rest = [
+            least[j]
+            for j in range(i + 1, min(last, i + 1 + MOST_SPARED) + 1)
+            if j in least and best_triangulation_value(face, i, j, demand) is not None
+        ]
+        if rest:
+            least[i] = 1 + min(rest)
+    return least.get(-1)
+
+
+@every_family
+def test_few_diagonals_keep_the_bounds(kind: str, seed: int) -> None:
+    few, high = (merged(kind, seed, objective) for objective in ("fewest", "height"))
+    assert len(few.mesh.projections) <= len(high.mesh.projections)
+    failed = [f.claim for f in check_lemma_5(few.mesh) if not f.holds]
+    assert failed == []
+
+
 def least_cotangent(boundary: Boundary, item: Projected) -> mpq:
     """Of the largest angle in a merged face."""
     by_angle = Demand(for_angle=True)
@@ -159,7 +201,7 @@ def test_smaller_thresholds_keep_their_own_bounds(kind: str, seed: int, tau: mpq
         assert all(found.holds for found in findings)
 
 
-@both_objectives
+@every_objective
 @pytest.mark.parametrize(
     ("polygon", "printed"), [(SLENDER, mpq(1, 2000)), (END_FACE, mpq(1, 30_000_000))]
 )
@@ -173,7 +215,7 @@ def test_end_faces_do_not_come_for_free(
     assert all(found.holds for found in check_lemma_5(mesh))
 
 
-@both_objectives
+@every_objective
 def test_where_tau_over_root_two_is_out_of_reach(objective: Objective) -> None:
     boundary = merged_polygon(LOW_CORNER, objective)
     heights = [least_height(boundary, item) for item in boundary.mesh.projected]
@@ -184,11 +226,12 @@ def test_a_demand_that_cannot_be_kept() -> None:
     boundary = merged("triangle", 0)
     _, possible = next(iter(cut_faces(boundary)))
     with pytest.raises(UncutFace):
-        project(possible, [Demand(squared_floor=mpq(100))], 0)
+        project(possible, [(best_cuts, Demand(squared_floor=mpq(100)))], 0)
 
 
 def test_the_first_demand_that_can_be_kept_decides() -> None:
     boundary = merged("triangle", 0)
     _, possible = next(iter(cut_faces(boundary)))
-    hopeless, demand = Demand(squared_floor=mpq(100)), Demand(largest_kappa(TAU))
+    hopeless = best_cuts, Demand(squared_floor=mpq(100))
+    demand = best_cuts, Demand(largest_kappa(TAU))
     assert project(possible, [hopeless, demand], 7) == project(possible, [demand], 7)

@@ -76,9 +76,9 @@ def boundary_of(name: str) -> MergedMesh:
 
 @cache
 def merged_of(name: str, degrees: str = "150") -> Merged:
-    """All records of Theorem 2 for one of the simple polygons."""
+    """All records of Theorem 2 for one of the simple polygons, with all diagonals but end ones."""
     bound = parse_angle_bound(degrees)
-    made = theorem_2(SIMPLE[name], max_angle=bound, check="none")
+    made = theorem_2(SIMPLE[name], max_angle=bound, objective="height", check="none")
     records: Any = made.records
     return Merged(
         polygon=made.polygon,

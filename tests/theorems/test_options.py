@@ -24,7 +24,7 @@ from tests.theorems.families import some_polygon
         (3, {"squares": True}, "squares is not an option of Theorem 3"),
         (3, {"interior": "bridges", "baseline": True}, "the baseline has no choice of interior"),
         (2, {"squares": True, "baseline": True}, "the baseline has no choice of squares"),
-        (2, {"objective": "beauty"}, "objective 'beauty': one of height, angle"),
+        (2, {"objective": "beauty"}, "objective 'beauty': one of fewest, height, angle"),
         (3, {"interior": "holes"}, "interior 'holes': one of strips, bridges, best"),
         (2, {"check": "some"}, "check 'some': one of every-stage, final, none"),
         (5, {}, "no theorem 5"),
