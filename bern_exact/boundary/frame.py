@@ -10,6 +10,7 @@ from __future__ import annotations
 from gmpy2 import mpq
 
 from bern_exact.boundary.records import Framed, Lopped
+from bern_exact.boundary.rotation import rotation
 from bern_exact.exact.points import direction
 from bern_exact.exact.roots import sqrt_below
 from bern_exact.exact.similarity import Similarity
@@ -46,12 +47,11 @@ def frame(lopped: Lopped, feature: FeatureSize, attempt: int) -> Framed:
 
     Notes
     -----
-    The rotation is small (about 0.1 degrees), as outlines whose edges are mostly
-    axis-parallel then cross few grid lines; any rotation is right.  Linear time.
+    O(n log n), for the rotation.
     """
     unit = sqrt_below(feature.squared / (FACTOR * FACTOR), UNIT_BITS)
     similarity = (
-        Similarity.rotation(mpq(1, 1024 + attempt))
+        rotation(lopped.lopped, attempt)
         .then(Similarity.of((1 / unit, mpq(0)), (mpq(0), mpq(0))))
         .then(Similarity.of((mpq(1), mpq(0)), _shift(attempt)))
     )

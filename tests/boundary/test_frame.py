@@ -13,7 +13,7 @@ from bern_exact.plane.feature_size import feature_size
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
 from tests.boundary.samples import diced, drawn, every_family, lopped
-from tests.theorems.over_the_grid import around, moved_back
+from tests.theorems.over_the_grid import around, moved_back, pentagon_on
 
 
 @every_family
@@ -67,12 +67,9 @@ SPECIAL = {
 
 
 def special(name: str, attempt: int) -> Polygon:
-    """A rectangle with a side of 8, special in the frame of this attempt."""
-    (x, y), (u, v) = SPECIAL[name]
-    dx, dy = u - x, v - y
-    corners = [(x, y), (u, v), (u - 2 * dy, v + 2 * dx), (x - 2 * dy, y + 2 * dx)]
-    corners = [(mpq(a), mpq(b)) for a, b in corners]
-    return polygon_from_rings([moved_back(corners, attempt)])
+    """A pentagon with a side of 8, special in the frame of this attempt."""
+    tail, head = ((mpq(a), mpq(b)) for a, b in SPECIAL[name])
+    return polygon_from_rings([moved_back(pentagon_on(tail, head), attempt)])
 
 
 @pytest.mark.parametrize("attempt", [0, 1, 2])

@@ -26,17 +26,23 @@ Vector = tuple[mpq, mpq]
 @cache
 def frame_of(attempt: int) -> Similarity:
     """The similarity of this attempt if the grid unit is 1."""
-    # A square of side 8 that is special in no frame.
-    corners = (
-        (0, 0),
-        (mpq(24, 5), mpq(32, 5)),
-        (mpq(-8, 5), mpq(56, 5)),
-        (mpq(-32, 5), mpq(24, 5)),
-    )
-    points = tuple(hpoint(mpq(x), mpq(y)) for x, y in corners)
-    square = Polygon(points, ((0, 1, 2, 3),))
-    lopped = lop(square, triangulate_polygon(square))
-    return frame(lopped, feature_size(square), attempt).similarity
+    # Special in no frame.
+    corners = pentagon_on((mpq(0), mpq(0)), (mpq(24, 5), mpq(32, 5)))
+    pentagon = Polygon(tuple(hpoint(x, y) for x, y in corners), ((0, 1, 2, 3, 4),))
+    lopped = lop(pentagon, triangulate_polygon(pentagon))
+    return frame(lopped, feature_size(pentagon), attempt).similarity
+
+
+def pentagon_on(tail: Vector, head: Vector) -> list[Vector]:
+    """A pentagon on the left of an edge, its shortest: its feature size is that edge's length.
+
+    Its corners are obtuse, and its edges share no directions that the frame would turn to the axes.
+    """
+    (x, y), (u, v) = tail, head
+    # Complex multiples of the edge: a fixed pentagon whose first edge is 24 + 32 i.
+    a, b = (u - x) / 1600, (v - y) / 1600
+    rest = [(c * 24 + d * 32, d * 24 - c * 32) for c, d in ((-1, 72), (-46, 67), (-56, 22))]
+    return [tail, head, *((x + a * c - b * d, y + a * d + b * c) for c, d in rest)]
 
 
 def moved_back(points: list[Vector], attempt: int = 0) -> list[HPoint]:
@@ -46,10 +52,9 @@ def moved_back(points: list[Vector], attempt: int = 0) -> list[HPoint]:
 
 
 def special_in_first_frames(random: Random) -> list[list[HPoint]]:
-    """A rectangle of side 8 or so: axis-parallel, diagonal, or on grid lines in frame 0, 1 or 2."""
-    long = 8 + random.randrange(9)
+    """A pentagon of side 8 or so: axis-parallel, diagonal, or on grid lines in frame 0, 1 or 2."""
     x, y = mpq(random.randrange(4), 2), mpq(random.randrange(4), 3)
-    corners = [(x, y), (x + 8, y), (x + 8, y + long), (x, y + long)]
+    corners = pentagon_on((x, y), (x + 8, y))
     way = random.randrange(3)
     if way == 1:  # exactly diagonal; the side is irrational, the unit just any
         corners = [(u - v, u + v) for u, v in corners]
