@@ -87,7 +87,7 @@ class Tiling(NamedTuple):
     rectangle : SubdividedRectangle
         The rectangle.
     steiner : tuple of HalfNode
-        The points added strictly inside it, along its longer direction, in half units.
+        The points added strictly inside it, in half units.
     triangles : tuple of (HalfNode, HalfNode, HalfNode)
         Counter-clockwise, in half units.
     """

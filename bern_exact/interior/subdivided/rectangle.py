@@ -45,6 +45,8 @@ def triangulate(rectangle: SubdividedRectangle) -> Tiling:
     - With a pair of opposite sides unsubdivided the partners on the other pair are joined,
       and each piece is cut by a diagonal: no Steiner point.
     - A rectangle no longer than its width plus 2 beta gets one Steiner point, its centre.
+    - Where the lines between partners cut it into so few cells that two triangles for each are
+      no more than what follows, those are taken: right angles, and heights of beta/sqrt 2.
     - Otherwise Steiner points go on the long axis.  The printed choice of the outermost ones
       (v/2 - b <= d <= v/2 + b) admits d = 0, on the boundary, and angles of 143 degrees.  Here
       d = v/2, unless a subdivision projects to within beta of there: then d is that
@@ -74,7 +76,8 @@ def steiner_points(rectangle: SubdividedRectangle) -> int:
     xs, ys = _doubled(x0, bottom, x1), _doubled(y0, left, y1)
     if x1 - x0 < y1 - y0:
         xs, ys = ys, xs
-    return len(_axis(xs, ys))
+    on_axis = len(_axis(xs, ys))
+    return (len(xs) - 2) * (len(ys) - 2) if _cells_are_fewer(xs, ys, on_axis) else on_axis
 
 
 def triangles_of(rectangle: SubdividedRectangle) -> int:
@@ -91,10 +94,18 @@ def _doubled(low: int, inside: Sequence[int], high: int) -> list[int]:
 def _lying(xs: Sequence[int], ys: Sequence[int]) -> tuple[list[HalfNode], list[Triangle]]:
     """Steiner points and triangles of a rectangle at least as long (in x) as it is high."""
     axis = _axis(xs, ys)
+    if axis and _cells_are_fewer(xs, ys, len(axis)):
+        inner = [(x, y) for x in xs[1:-1] for y in ys[1:-1]]
+        return inner, [t for low, high in pairwise(ys) for t in _ladder(xs, (low, high))]
     if axis:
         middle = (ys[0] + ys[-1]) // 2
         return [(x, middle) for x in axis], list(_around(xs, ys, axis, middle))
     return [], list(_ladder(xs, ys) if len(ys) == 2 else _steps(xs, ys))
+
+
+def _cells_are_fewer(xs: Sequence[int], ys: Sequence[int], on_axis: int) -> bool:
+    """Have the lines between partners no more crossings than there would be Steiner points?"""
+    return (len(xs) - 2) * (len(ys) - 2) <= on_axis
 
 
 def _axis(xs: Sequence[int], ys: Sequence[int]) -> list[int]:

@@ -48,7 +48,7 @@ def test_where_the_printed_placement_fails(name: str) -> None:
 
 
 def test_the_height_bound_is_attained() -> None:
-    tight = SubdividedRectangle(0, 8, 0, 2, (1,), (1,), (6,), (6,))
+    tight = SubdividedRectangle(0, 8, 0, 4, (2,), (2,), (2, 4), (2, 4))
     (height,) = [f for f in check_lemma_7(tile(partition(tight))) if f.claim == "lemma-7.height"]
     assert height.measured == "1/5"
 
