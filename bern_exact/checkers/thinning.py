@@ -65,10 +65,11 @@ def check_thinning(
             least_height(raw).value or mpq(0),
         ),
         _check_vertices(thinned, polygon),
-        _check_new_angles(thinned, [b for b in (max_angle, thin_angle) if b is not None]),
     ]
     if max_angle is not None:
         findings.append(_check_angle(mesh, max_angle))
+    if thin_angle is not None:
+        findings += _check_asked(thinned, thin_angle)
     return findings
 
 
@@ -92,20 +93,40 @@ def _check_vertices(thinned: Thinned, polygon: Polygon) -> Finding:
     )
 
 
-def _check_new_angles(thinned: Thinned, bounds: list[AngleBound]) -> Finding:
-    """The bounds on triangles that the raw mesh had not."""
-    old = {_corners(thinned.raw, t) for t in range(len(thinned.raw.triangles))}
-    broken = Violations()
-    for t, triangle in enumerate(thinned.mesh.triangles):
-        if _corners(thinned.mesh, t) not in old:
-            angle, _ = _largest_angle(thinned.mesh, [t])
-            holds = angle is None or all(bound.admits(angle) for bound in bounds)
-            broken.case(holds, {"triangle": t, "vertices": triangle})
-    return broken.finding(
-        "thinning.new-angle",
-        STAGE,
-        "no new triangle has an angle above the raw mesh's bound or the one asked for",
-    )
+def _check_asked(thinned: Thinned, asked: AngleBound) -> list[Finding]:
+    """No more triangles above the angle asked for, and no angle above it that is larger."""
+    above, largest = Extreme(greatest=True), Violations()
+    before, after = (_angles_above(mesh, asked) for mesh in (thinned.raw, thinned.mesh))
+    above.offer(len(after), 1, {"triangles": sorted(after)})
+    least = min(before.values(), default=None)
+    for t, cosine in after.items():
+        largest.case(least is not None and cosine >= least, {"triangle": t})
+    return [
+        above.finding(
+            "thinning.above-asked",
+            STAGE,
+            "no more triangles than in the raw mesh have an angle above the one asked for",
+            len(before),
+        ),
+        largest.finding(
+            "thinning.asked-angle",
+            STAGE,
+            "no angle above the one asked for is larger than the raw mesh's largest",
+        ),
+    ]
+
+
+def _angles_above(mesh: Mesh, bound: AngleBound) -> dict[int, mpq]:
+    """cos |cos| of the largest angle of each triangle with an angle above the bound.
+
+    It falls as the angle grows, to -1 for a triangle that is flat or clockwise.
+    """
+    found = {}
+    for t in range(len(mesh.triangles)):
+        angle, _ = _largest_angle(mesh, [t])
+        if angle is not None and not bound.admits(angle):
+            found[t] = angle.signed_square
+    return found
 
 
 def _check_angle(mesh: Mesh, bound: AngleBound) -> Finding:
@@ -141,8 +162,3 @@ def _largest_angle(mesh: Mesh, triangles: range | list[int]) -> tuple[Angle | No
     squared = least.value * least.value
     sign = (least.value > 0) - (least.value < 0)
     return Angle(sign, squared / (1 + squared)), least.witness
-
-
-def _corners(mesh: Mesh, triangle: int) -> frozenset[tuple[object, ...]]:
-    """A triangle by its corners' coordinates."""
-    return frozenset(mesh.vertices[v] for v in mesh.triangles[triangle])

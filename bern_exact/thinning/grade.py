@@ -13,7 +13,10 @@ BITS = 32
 """Heights are told apart to 2^-32 of the floor; only the choice among allowed triangles sees it."""
 
 PASS = mpz(1) << BITS
-"""The least grade of a triangle that may be made."""
+"""The least grade by height of a triangle that may be made."""
+
+ALIKE = 4 * PASS
+"""The grade by angle of all triangles without an angle above the one asked for."""
 
 _MOST_REMEMBERED = 200_000
 
@@ -78,7 +81,47 @@ class Grades:
             return mpz(0)
         # Twice the dot and the cross product at the corner opposite the longest side.
         dot, cross = u + v + w - 2 * longest, 2 * area * qw * rw
-        return grade if all(bound.admits(dot, cross) for bound in self._bounds) else mpz(0)
+        if not all(bound.admits(dot, cross) for bound in self._bounds):
+            return mpz(0)
+        return self._graded(grade, dot, cross)
+
+    def _graded(self, height: mpz, dot: mpz, cross: mpz) -> mpz:
+        """The grade of a triangle that may be made, from its height's and its largest angle."""
+        return height
+
+
+class AngleGrades(Grades):
+    """Grades by the largest angle instead of the height.
+
+    Parameters
+    ----------
+    points, bounds, squared_floor
+        As for `Grades`: what may be made at all.
+    asked : AngleBound
+        Triangles without an angle above this are all alike, and better than the others.
+
+    Notes
+    -----
+    The grade of another is 1 + floor(2^32 (1 + c/(1 + |c|))) for the cotangent c of its largest
+    angle: it falls as the angle grows.
+    """
+
+    __slots__ = ("_asked",)
+
+    def __init__(
+        self,
+        points: Sequence[HPoint],
+        bounds: Sequence[AngleBound],
+        squared_floor: mpq,
+        asked: AngleBound,
+    ) -> None:
+        super().__init__(points, bounds, squared_floor)
+        self._asked = _Bound(asked)
+
+    def _graded(self, height: mpz, dot: mpz, cross: mpz) -> mpz:
+        if self._asked.admits(dot, cross):
+            return ALIKE
+        return 1 + PASS + (dot << BITS) // (cross + abs(dot))
 
 
 class _Bound:

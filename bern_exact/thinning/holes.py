@@ -44,6 +44,14 @@ def fill(ring: Sequence[int], grades: Grades) -> list[Triangle] | None:
     return _chosen(ring, third, 0, size - 1)
 
 
+def least_first(triangle: Triangle) -> Triangle:
+    """The same triangle, its least vertex first."""
+    a, b, c = triangle
+    if b < a or c < a:
+        return (b, c, a) if b < c else (c, a, b)
+    return triangle
+
+
 def _third(
     ring: Sequence[int], grades: Grades, best: Sequence[Sequence[mpz]], i: int, j: int
 ) -> tuple[mpz, int]:
@@ -54,10 +62,7 @@ def _third(
         # A side of the ring itself has nothing beyond it.
         if (k > i + 1 and low <= most) or (k + 1 < j and high <= most):
             continue
-        a, b, c = ring[i], ring[k], ring[j]
-        if b < a or c < a:
-            a, b, c = (b, c, a) if b < c else (c, a, b)
-        least = grades.of(a, b, c)
+        least = grades.of(*least_first((ring[i], ring[k], ring[j])))
         if k > i + 1 and low < least:
             least = low
         if k + 1 < j and high < least:

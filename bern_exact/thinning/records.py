@@ -20,11 +20,8 @@ class Thinned:
         have their least vertex first and are sorted.
     removed : int
         How many vertices went.
-    rounds : int
-        How many rounds there were, each trying larger stars than the one before.
     """
 
     raw: Mesh
     mesh: Mesh
     removed: int
-    rounds: int

@@ -1,25 +1,58 @@
-"""Thinning: Steiner vertices go one by one while the mesh's guarantees can spare them."""
+"""Thinning: Steiner vertices go while the mesh's guarantees can spare them."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Iterable, Iterator
 from heapq import heapify, heappop, heappush
+from typing import NamedTuple
 
 from gmpy2 import mpq
 
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.predicates import squared_height
-from bern_exact.plane.mesh import Mesh
+from bern_exact.plane.mesh import Mesh, Triangle
 from bern_exact.plane.polygon import Polygon
-from bern_exact.thinning.grade import Grades
-from bern_exact.thinning.holes import fill
+from bern_exact.thinning.grade import ALIKE, AngleGrades, Grades
+from bern_exact.thinning.holes import fill, least_first
 from bern_exact.thinning.records import Thinned
 from bern_exact.thinning.stars import Stars
 
-MOST_TRIANGLES = (12, 24, 48)
-"""The largest star that is tried, by round: time is cubic in it, and most large stars shrink
-while others go."""
+
+class Try(NamedTuple):
+    """One way to remove a vertex.
+
+    Parameters
+    ----------
+    together : int
+        How many vertices go at once: this one and neighbours of it.
+    most : int
+        The most sides of a hole that is filled: time is cubic in it.
+    relaxed : bool
+        May triangles with an angle above the one asked for be made where there were some?
+    """
+
+    together: int
+    most: int
+    relaxed: bool = False
+
+
+ALONE = (Try(1, 12), Try(1, 24), Try(1, 48))
+"""Most large stars shrink while others go."""
+
+TOGETHER = (Try(2, 16), Try(3, 16))
+"""Groups are tried of what is left."""
+
+
+def _relaxed(tries: tuple[Try, ...]) -> tuple[Try, ...]:
+    return tuple(way._replace(relaxed=True) for way in tries)
+
+
+TRIES = ALONE + TOGETHER
+"""Without an angle asked for, in this order."""
+
+TRIES_FOR_ANGLE = ALONE + _relaxed(ALONE) + TOGETHER + _relaxed(TOGETHER)
+"""With one."""
 
 
 def thin(
@@ -29,7 +62,7 @@ def thin(
     max_angle: AngleBound | None,
     thin_angle: AngleBound | None = None,
 ) -> Thinned:
-    """Remove every Steiner vertex whose star can be triangulated without it just as well.
+    """Remove every Steiner vertex whose triangles can be replaced without it just as well.
 
     The guarantees of the mesh stay: it has fewer triangles, none of them is lower than its
     lowest was, and no angle is above `max_angle` if none was.
@@ -43,8 +76,8 @@ def thin(
     max_angle : AngleBound or None
         The mesh's own bound, which every new triangle keeps.
     thin_angle : AngleBound, optional
-        A smaller bound for new triangles.  The mesh's largest angle falls to it as far as the
-        triangles above it go, and never grows beyond the larger of the two.
+        A smaller bound for new triangles.  Only where there are triangles above it, and in the
+        end, some are replaced by no more such triangles with angles no larger.
 
     Raises
     ------
@@ -55,11 +88,12 @@ def thin(
     Notes
     -----
     A vertex inside P leaves its ring as a hole, one inside an edge of P the ring closed by that
-    edge.  The hole is filled by its own vertices so that its lowest triangle is highest.
+    edge; up to three neighbours leave one hole together.  The hole is filled by its own
+    vertices so that its lowest triangle is highest.
     Vertices with few triangles go first, ties by their number; when one goes, its neighbours
-    are tried again.  In the end no star of at most 48 triangles can spare its vertex.
+    are tried again.  In the end no vertex can be spared by any way of `TRIES`.
 
-    The stars that are tried have bounded size, and so each removal brings back a bounded number
+    The holes have bounded size, and so each removal brings back a bounded number
     of vertices: a mesh of m triangles takes O(m log m) time.
 
     Examples
@@ -73,59 +107,118 @@ def thin(
     """
     if mesh.vertices[: polygon.n] != polygon.points:
         raise InputError("schema", "the polygon's vertices are not the first of the mesh")
-    bounds = [bound for bound in (max_angle, thin_angle) if bound is not None]
+    bounds = [] if max_angle is None else [max_angle]
+    floor = _least_squared_height(mesh)
+    by_angle = None
+    if thin_angle is not None:
+        by_angle = AngleGrades(mesh.vertices, bounds, floor, thin_angle)
+        bounds = [*bounds, thin_angle]
     stars = Stars(mesh.vertices, mesh.triangles)
-    grades = Grades(mesh.vertices, bounds, _least_squared_height(mesh))
-    waiting: Collection[int] = range(polygon.n, len(mesh.vertices))
-    rounds = 0
-    for most in MOST_TRIANGLES:
-        if waiting:
-            waiting = _round(stars, grades, polygon.n, waiting, most)
-            rounds += 1
+    grades = Grades(mesh.vertices, bounds, floor)
+    _Thinning(stars, polygon.n, grades, by_angle).run(TRIES_FOR_ANGLE if by_angle else TRIES)
     thinned = _compact(stars, polygon.n)
-    return Thinned(mesh, thinned, len(mesh.vertices) - len(thinned.vertices), rounds)
+    return Thinned(mesh, thinned, len(mesh.vertices) - len(thinned.vertices))
 
 
-def _round(
-    stars: Stars, grades: Grades, first: int, vertices: Collection[int], most: int
-) -> Collection[int]:
-    """Try these vertices and the neighbours of all that go.
+class _Thinning:
+    """Tries to remove vertices until none can be spared.
 
     Parameters
     ----------
-    stars, grades
-        The triangulation, changed in place, and what new triangles keep.
+    stars : Stars
+        The triangulation, changed in place.
     first : int
         The least vertex that may go.
-    vertices : collection of int
-        Those to be tried.
-    most : int
-        The most triangles of a star that is tried.
-
-    Returns
-    -------
-    collection of int
-        Those that have not been tried since their star changed: it is too large.
+    grades : Grades
+        What new triangles keep.
+    by_angle : AngleGrades or None
+        What they keep in a relaxed try.
     """
-    waiting = set(vertices)
-    # An entry whose degree is out of date is not the vertex's last: it is passed over.
-    queue = [(stars.degree(v), v) for v in vertices]
-    heapify(queue)
-    while queue:
-        degree, vertex = heappop(queue)
-        if vertex not in waiting or degree != stars.degree(vertex) or degree > most:
-            continue
-        waiting.discard(vertex)
-        ring = stars.ring(vertex)
-        triangles = None if ring is None else fill(ring, grades)
-        if ring is None or triangles is None:
-            continue
-        stars.replace(vertex, triangles)
-        for neighbour in ring:
-            if neighbour >= first:
-                waiting.add(neighbour)
-                heappush(queue, (stars.degree(neighbour), neighbour))
-    return waiting
+
+    def __init__(
+        self, stars: Stars, first: int, grades: Grades, by_angle: AngleGrades | None
+    ) -> None:
+        self.stars = stars
+        self.first = first
+        self.grades = grades
+        self.by_angle = by_angle
+        # The next try of each vertex that has one left.
+        self.upcoming: dict[int, int] = {}
+
+    def run(self, tries: tuple[Try, ...]) -> None:
+        """Try each vertex in every way, again from the first when a neighbour has gone."""
+        stars, upcoming = self.stars, self.upcoming
+        upcoming.update({v: 0 for v in range(self.first, len(stars.points)) if stars.degree(v)})
+        # An entry that is out of date is passed over.
+        queue = [(0, stars.degree(v), v) for v in upcoming]
+        heapify(queue)
+        while queue:
+            number, degree, vertex = heappop(queue)
+            if upcoming.get(vertex) != number or degree != stars.degree(vertex):
+                continue
+            found = self._filled(vertex, number, tries[number])
+            if found is None:
+                if number + 1 == len(tries):
+                    del upcoming[vertex]
+                    continue
+                upcoming[vertex] = number + 1
+                heappush(queue, (number + 1, degree, vertex))
+                continue
+            group, triangles = found
+            stars.replace(group, triangles)
+            for v in group:
+                upcoming.pop(v, None)
+            for v in sorted({v for triangle in triangles for v in triangle if v >= self.first}):
+                upcoming[v] = 0
+                heappush(queue, (0, stars.degree(v), v))
+
+    def _filled(
+        self, vertex: int, number: int, way: Try
+    ) -> tuple[tuple[int, ...], list[Triangle]] | None:
+        """The first group with this vertex that can go in this way, and what takes its place."""
+        for group, ring in self._holes(vertex, number, way):
+            triangles = self._no_worse(group, ring) if way.relaxed else fill(ring, self.grades)
+            if triangles is not None:
+                return group, triangles
+        return None
+
+    def _holes(
+        self, vertex: int, number: int, way: Try
+    ) -> Iterator[tuple[tuple[int, ...], list[int]]]:
+        """The groups that could go, and the holes that they would leave.
+
+        A group is tried once since it last changed: by the last of its vertices to come so far.
+        """
+        if self.stars.degree(vertex) > way.most + way.together:
+            return
+        for group in self.stars.groups(vertex, way.together, self.first):
+            if any(v != vertex and self.upcoming.get(v, number + 1) <= number for v in group):
+                continue
+            ring = self.stars.ring(*group)
+            if ring is not None and len(ring) <= way.most:
+                yield group, ring
+
+    def _no_worse(self, group: tuple[int, ...], ring: list[int]) -> list[Triangle] | None:
+        """Triangles with no larger angle than the largest that goes, nor more above the one asked.
+
+        None if none that go are above the angle asked for: then there is nothing to relax.
+        """
+        grades = self.by_angle
+        old = self.stars.around(group)
+        if grades is None or not _above(grades, old):
+            return None
+        new = fill(ring, grades)
+        if new is None or _above(grades, new) > _above(grades, old):
+            return None
+        worst, before = (
+            min(self.stars.cotangent(t) for t in triangles) for triangles in (new, old)
+        )
+        return new if worst >= before else None
+
+
+def _above(grades: AngleGrades, triangles: Iterable[Triangle]) -> int:
+    """How many triangles have an angle above the one asked for."""
+    return sum(1 for triangle in triangles if grades.of(*least_first(triangle)) < ALIKE)
 
 
 def _compact(stars: Stars, kept: int) -> Mesh:

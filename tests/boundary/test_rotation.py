@@ -15,11 +15,12 @@ from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
 from bern_exact.theorems.theorem_2 import theorem_2
 
+ZERO = mpq(0)
 RECTANGLE = [(0, 0), (40, 0), (40, 9), (0, 9)]
 ELL = [(0, 0), (40, 0), (40, 9), (11, 9), (11, 30), (0, 30)]
 
 
-def polygon_of(ring: list[tuple[int, int]], t: mpq = mpq(0)) -> Polygon:
+def polygon_of(ring: list[tuple[int, int]], t: mpq = ZERO) -> Polygon:
     """A polygon turned by 2 arctan(t)."""
     turn = Similarity.rotation(t)
     return polygon_from_rings([[turn.apply(hpoint(x, y)) for x, y in ring]])

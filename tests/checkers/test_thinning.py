@@ -30,8 +30,8 @@ RAW = Mesh(
     (*SQUARE.points, INNER, OTHER),
     ((0, 1, 4), (1, 5, 4), (1, 2, 5), (2, 4, 5), (2, 3, 4), (3, 0, 4)),
 )
-GOOD = Thinned(RAW, Mesh(SQUARE.points, ((0, 1, 2), (0, 2, 3))), 2, 1)
-HALF = Thinned(RAW, Mesh((*SQUARE.points, INNER), WHEEL), 1, 1)
+GOOD = Thinned(RAW, Mesh(SQUARE.points, ((0, 1, 2), (0, 2, 3))), 2)
+HALF = Thinned(RAW, Mesh((*SQUARE.points, INNER), WHEEL), 1)
 
 
 def check(
@@ -56,7 +56,7 @@ def failing(found: dict[str, Finding]) -> set[str]:
     return {claim for claim, finding in found.items() if not finding.holds}
 
 
-@pytest.mark.parametrize("thinned", [GOOD, HALF, Thinned(RAW, RAW, 0, 3)])
+@pytest.mark.parametrize("thinned", [GOOD, HALF, Thinned(RAW, RAW, 0)])
 @pytest.mark.parametrize("max_angle", ["150", None])
 def test_what_is_right_passes(thinned: Thinned, max_angle: str | None) -> None:
     found = check(thinned, max_angle)
@@ -70,23 +70,33 @@ def test_a_mesh_that_leaves_a_part_out() -> None:
 
 
 def test_more_triangles() -> None:
-    more = Thinned(GOOD.mesh, HALF.mesh, -1, 1)
+    more = Thinned(GOOD.mesh, HALF.mesh, -1)
     assert "thinning.count" in failing(check(more))
 
 
 def test_a_lower_triangle() -> None:
     low = hpoint(2, mpq(1, 9))
-    lowered = Thinned(RAW, Mesh((*SQUARE.points, low), WHEEL), 1, 1)
+    lowered = Thinned(RAW, Mesh((*SQUARE.points, low), WHEEL), 1)
     found = check(lowered, None)
     assert failing(found) == {"thinning.height", "thinning.vertices"}
     assert found["thinning.height"].measured == "1/81"
 
 
-def test_a_new_angle_above_the_one_asked_for() -> None:
-    # The lower left triangle of the wheel round (1, 2) is not new, that at the right is.
-    assert failing(check(HALF, "150", "89")) == set()
-    assert failing(check(HALF, "150", "80")) == set()
-    assert failing(check(GOOD, "150", "89")) == {"thinning.new-angle"}
+def test_more_triangles_above_the_angle_asked_for() -> None:
+    # The raw mesh has four triangles with an angle of more than 80 degrees, and none with 91.
+    assert failing(check(HALF, "150", "80")) == failing(check(GOOD, "150", "80")) == set()
+    assert check(GOOD, "150", "80")["thinning.above-asked"].measured == 2
+    centred = Mesh((*SQUARE.points, hpoint(2, 2)), WHEEL)
+    assert failing(check(Thinned(centred, GOOD.mesh, 1), "150", "89.9")) == set()
+    assert "thinning.above-asked" in failing(check(Thinned(GOOD.mesh, centred, -1), "150", "80"))
+
+
+def test_a_larger_angle_above_the_one_asked_for() -> None:
+    lower = Mesh((*SQUARE.points, hpoint(2, 1)), WHEEL)
+    centred = Mesh((*SQUARE.points, hpoint(2, 2)), WHEEL)
+    assert failing(check(Thinned(lower, lower, 0), "150", "80")) == set()
+    broken = failing(check(Thinned(centred, lower, 0), "150", "80"))
+    assert {"thinning.asked-angle"} <= broken and "thinning.above-asked" not in broken
 
 
 def test_an_angle_above_the_bound_of_the_mesh() -> None:
@@ -103,7 +113,7 @@ def test_a_bound_that_is_irrational_is_given_by_an_enclosure() -> None:
 def test_a_clockwise_triangle_has_180_degrees() -> None:
     turned = replace(GOOD, mesh=Mesh(SQUARE.points, ((0, 2, 1), (0, 2, 3))))
     broken = failing(check(turned, "179.9"))
-    assert broken == {"thinning.valid", "thinning.height", "thinning.angle", "thinning.new-angle"}
+    assert broken == {"thinning.valid", "thinning.height", "thinning.angle"}
 
 
 def test_a_mesh_without_triangles_is_not_valid() -> None:
@@ -115,7 +125,7 @@ def test_vertices_in_another_order() -> None:
         (*SQUARE.points, OTHER, INNER),
         tuple(tuple({4: 5, 5: 4}.get(v, v) for v in t) for t in RAW.triangles),  # type: ignore[misc]
     )
-    assert failing(check(Thinned(RAW, swapped, 0, 1))) == {"thinning.vertices"}
+    assert failing(check(Thinned(RAW, swapped, 0))) == {"thinning.vertices"}
 
 
 def test_a_polygon_vertex_that_is_not_first() -> None:
