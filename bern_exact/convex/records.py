@@ -156,17 +156,24 @@ class Bounced:
         All of them, increasing.
     first : tuple of Pending
         The subdivisions before bouncing, by side and x.
-    steps : tuple of HalfStep
-        In order.
-    closed : tuple of ClosedPath
-        The closed paths that were added, in order.
+    events : tuple of HalfStep or ClosedPath
+        What was done, in order.
     """
 
     frame: ConvexFrame
     verticals: tuple[mpq, ...]
     first: tuple[Pending, ...]
-    steps: tuple[HalfStep, ...]
-    closed: tuple[ClosedPath, ...]
+    events: tuple[HalfStep | ClosedPath, ...]
+
+    @property
+    def steps(self) -> tuple[HalfStep, ...]:
+        """The half-steps, in order."""
+        return tuple(event for event in self.events if isinstance(event, HalfStep))
+
+    @property
+    def closed(self) -> tuple[ClosedPath, ...]:
+        """The closed paths that were added, in order."""
+        return tuple(event for event in self.events if isinstance(event, ClosedPath))
 
     @property
     def bits(self) -> int:

@@ -51,8 +51,7 @@ class State:
         self._pending: dict[tuple[Zone, int], list[mpq]] = {
             (zone, side): [] for zone in Zone for side in (UPPER, LOWER)
         }
-        self.steps: list[HalfStep] = []
-        self.closed: list[ClosedPath] = []
+        self._events: list[HalfStep | ClosedPath] = []
         self.first = self._subdivisions()
         for pending in self.first:
             insort(self.pending(self.zone(pending.x), pending.side), pending.x)
@@ -100,7 +99,7 @@ class State:
         if partner is not None and partner not in self._is_vertical:
             left = Pending(partner, other)
             insort(self.pending(self.zone(partner), other), partner)
-        self.steps.append(HalfStep(x, side, left, stays))
+        self._events.append(HalfStep(x, side, left, stays))
         return left
 
     def close(self, x: mpq, partner: mpq) -> None:
@@ -108,7 +107,7 @@ class State:
         for vertical in (x, partner):
             if vertical not in self._is_vertical:
                 self._add_vertical(vertical)
-        self.closed.append(ClosedPath(x, partner))
+        self._events.append(ClosedPath(x, partner))
 
     def _add_vertical(self, x: mpq) -> None:
         """A new vertical; whatever was pending at its ends is no longer."""
@@ -120,10 +119,4 @@ class State:
 
     def bounced(self) -> Bounced:
         """The record of what has been done."""
-        return Bounced(
-            self.frame,
-            tuple(self.verticals),
-            self.first,
-            tuple(self.steps),
-            tuple(self.closed),
-        )
+        return Bounced(self.frame, tuple(self.verticals), self.first, tuple(self._events))

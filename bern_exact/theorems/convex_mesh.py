@@ -87,9 +87,7 @@ def _corners_of_polygon(bounced: Bounced, cells: Cells) -> Iterator[tuple[GridPo
         yield (column[x], row[y]), v
 
 
-def _places(
-    crossings: Iterable[GridPoint], cells: Cells, back: Similarity
-) -> Iterator[HPoint]:
+def _places(crossings: Iterable[GridPoint], cells: Cells, back: Similarity) -> Iterator[HPoint]:
     """Crossings in the input's coordinates.
 
     The point (x, y) comes from (alpha x + tau) + i alpha y: a part for its vertical, and one for

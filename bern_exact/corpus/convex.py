@@ -1,0 +1,207 @@
+"""Convex polygons by the family, for Theorem 4; each determined by its arguments.
+
+All coordinates are exact: integers, or rationals where points lie on a circle exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from random import Random
+
+from gmpy2 import mpq
+
+from bern_exact.corpus.shapes import SIZE, Ring
+
+Rational = int | mpq
+Place = tuple[Rational, Rational]
+Rings = list[list[Place]]
+
+TURNS = 10**6
+"""Places round a circle that random points are drawn from."""
+
+
+def circle_point(i: int, n: int) -> tuple[mpq, mpq]:
+    """The i-th of n points about evenly spread round the unit circle, exactly on it.
+
+    >>> circle_point(1, 8)
+    (mpq(3,5), mpq(4,5))
+    """
+    quarter, along = divmod(4 * i, n)
+    norm = n * n + along * along
+    x, y = mpq(n * n - along * along, norm), mpq(2 * n * along, norm)
+    for _ in range(quarter):
+        x, y = -y, x
+    return x, y
+
+
+def hull(points: Sequence[Place]) -> list[Place]:
+    """The corners of the convex hull, counter-clockwise from the leftmost."""
+    ordered = sorted(set(points))
+    return _half_hull(ordered)[:-1] + _half_hull(ordered[::-1])[:-1]
+
+
+def _half_hull(ordered: Sequence[Place]) -> list[Place]:
+    chain: list[Place] = []
+    for p in ordered:
+        while len(chain) > 1 and _turn(chain[-2], chain[-1], p) <= 0:
+            chain.pop()
+        chain.append(p)
+    return chain
+
+
+def _turn(p: Place, q: Place, r: Place) -> Rational:
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def random_hull(n: int, seed: int = 0) -> Rings:
+    """The hull of n random points round a circle of radius 2^20, rounded: at most n vertices.
+
+    Edges of very different lengths, in no order.
+    """
+    random = Random(seed)
+    places = [circle_point(i, TURNS) for i in random.sample(range(TURNS), n)]
+    return [hull([(int(x * 2**20), int(y * 2**20)) for x, y in places])]
+
+
+def regular(n: int, seed: int = 0) -> Rings:
+    """n rational points exactly on the unit circle, nearly a regular n-gon; seed turns it.
+
+    Meant to break the choice of the diameter: there are ties for it if n is even, and near-ties.
+    """
+    turn = circle_point(seed, 1001)
+    points = [circle_point(i, n) for i in range(n)]
+    return [[(x * turn[0] - y * turn[1], x * turn[1] + y * turn[0]) for x, y in points]]
+
+
+def parabola(n: int, seed: int = 0) -> Rings:
+    """n points (i, i^2), sheared by the seed: one-sided, the diameter being an edge."""
+    return [[(i, i * i + seed * i) for i in range(n)]]
+
+
+def arc(n: int, seed: int = 0) -> Rings:
+    """n points of an arc of a circle, at most half of it: one-sided."""
+    ring = [circle_point(i, 2 * (n - 1) + seed) for i in range(n)]
+    return [list(ring)]
+
+
+def ellipse(n: int, seed: int = 0, aspect: int = 1000) -> Rings:
+    """n rational points on an ellipse `aspect` times as long as wide, turned by the seed."""
+    (ring,) = regular(n)
+    c, s = circle_point(seed, 1001)
+    return [[(aspect * x * c - y * s, aspect * x * s + y * c) for x, y in ring]]
+
+
+def tiny_edges(n: int, seed: int = 0) -> Rings:
+    """Pairs of points round a circle, a millionth of its radius apart; n vertices or one less.
+
+    Meant to break whatever takes lengths for granted: edges of 1 and of 10^6 beside each other.
+    """
+    start = Random(seed).randrange(TURNS)
+    pairs = n // 2
+    ring: list[Place] = []
+    for i in range(pairs):
+        at = start + i * TURNS // pairs
+        ring += [circle_point(k % TURNS, TURNS) for k in (at, at + 1)]
+    return [hull(ring)]
+
+
+def clustered_spiral(n: int, seed: int = 0) -> Rings:
+    """A parallelogram with n - 4 further vertices close together, and paths that wind slowly.
+
+    The highest and lowest vertices are nearly above each other, so that each turn of a path goes
+    outward by a hundredth only.  The paths of the cluster wind side by side: bounced in the
+    wrong order their subdivisions stay together, and the steps are quadratic in n.
+    """
+    shift = 500 + seed % 400
+    left, right = (-(10**5), 0), (10**5, 0)
+    top, bottom = (shift, 10**4), (-shift, -(10**4))
+    return [hull([left, right, top, bottom, *_cluster(top, right, n - 4)])]
+
+
+def _cluster(start: tuple[int, int], end: tuple[int, int], k: int) -> list[Place]:
+    """k points near the start of an edge, just outside it, on a parabola."""
+    (px, py), (qx, qy) = start, end
+    found: list[Place] = []
+    for i in range(1, k + 1):
+        along, out = mpq(i, 100 * (k + 1)), mpq(i * (2 * k + 2 - i), 10**6 * (k + 1) ** 2)
+        found.append(
+            (px + along * (qx - px) - out * (qy - py), py + along * (qy - py) + out * (qx - px))
+        )
+    return found
+
+
+def needle(n: int, seed: int = 0, aspect: int = 10**6) -> Rings:
+    """An integer polygon about `aspect` times as long as wide: the hull of random points.
+
+    Few of the n points are corners.
+    """
+    random = Random(seed)
+    width = 1000
+    length = width * aspect
+    points = [(random.randrange(length), random.randrange(width)) for _ in range(n - 2)]
+    return [hull([(0, random.randrange(width)), (length, random.randrange(width)), *points])]
+
+
+def zigzag_vectors(n: int, seed: int = 0) -> Rings:
+    """A random convex polygon after Valtr: random vectors of sum 0 in the order of their angles.
+
+    n vertices; equal directions make 180-degree ones.
+    """
+    random = Random(seed)
+    xs, ys = (_random_steps(n, random) for _ in range(2))
+    random.shuffle(ys)
+    ring: list[Place] = []
+    x = y = 0
+    for dx, dy in sorted(zip(xs, ys, strict=True), key=_slope_key):
+        ring.append((x, y))
+        x, y = x + dx, y + dy
+    return [ring]
+
+
+def _random_steps(n: int, random: Random) -> list[int]:
+    """n integers other than 0 with the sum 0: two monotone walks there and back."""
+    marks = sorted(random.sample(range(SIZE), n))
+    low, high = marks[0], marks[-1]
+    steps, last = [], {1: low, -1: low}
+    for mark in marks[1:-1]:
+        way = random.choice((1, -1))
+        steps.append(way * (mark - last[way]))
+        last[way] = mark
+    return [*steps, high - last[1], last[-1] - high]
+
+
+def _slope_key(step: tuple[int, int]) -> tuple[int, mpq]:
+    """The order of directions counter-clockwise from the right."""
+    dx, dy = step
+    lower = dy < 0 or (dy == 0 and dx < 0)
+    if dy == 0:
+        return int(lower), mpq(0)
+    # Within a half turn -cot of the angle grows, from below everything.
+    return int(lower), mpq(-dx, dy) + 2 * SIZE
+
+
+def subdivided(rings: Rings, parts: int = 2) -> Rings:
+    """The same polygon with each edge in so many equal parts: 180-degree vertices."""
+    (ring,) = rings
+    fine: list[Place] = []
+    for (px, py), (qx, qy) in zip(ring, ring[1:] + ring[:1], strict=True):
+        for k in range(parts):
+            t = mpq(k, parts)
+            fine.append((px + t * (qx - px), py + t * (qy - py)))
+    return [fine]
+
+
+FAMILIES: Mapping[str, Callable[[int, int], Rings]] = {
+    "random-hull": random_hull,
+    "random-convex": zigzag_vectors,
+    "regular": regular,
+    "parabola": parabola,
+    "arc": arc,
+    "ellipse": ellipse,
+    "tiny-edges": tiny_edges,
+    "clustered-spiral": clustered_spiral,
+    "needle": needle,
+}
+"""Each family, of about n vertices from a seed."""
+
+__all__ = ["FAMILIES", "Place", "Ring", "Rings", "circle_point", "hull", "subdivided"]
