@@ -19,6 +19,8 @@ COLOURS = {
     "merged": ("#f6efc9", "#bfae55"),
     "block": ("#f3cda5", "#bf7f45"),
     "fan": ("#d5e8d0", "#7fa876"),
+    "cell": ("#e9eef8", "#a9b7d6"),
+    "rim": ("#f8e8c4", "#c9a657"),
     "mesh": ("#eef3f6", "#b6c5cf"),
 }
 """Fill and stroke of each class of triangles."""
@@ -30,6 +32,8 @@ LABELS = {
     "merged": "merged along an edge (Lemma 5)",
     "block": "faces round a vertex (Lemma 2)",
     "fan": "lopped corners (Lemma 1)",
+    "cell": "inside: rectangles (Section 5)",
+    "rim": "along the boundary (Lemma 9)",
     "mesh": "triangles",
 }
 
