@@ -4,6 +4,11 @@ in `bounds_convex`.
 
 from __future__ import annotations
 
+from gmpy2 import mpq
+
+from bern_exact.checkers.bounds_convex import EXPONENT, POWER_CONSTANT
+from bern_exact.exact.enclosures import power_bounds
+
 RIGHT_TRIANGLES = 3
 """Right triangles that a subdivided right triangle is cut into (Lemma 9)."""
 
@@ -79,3 +84,46 @@ def baseline_triangles(n: int) -> int:
     32940
     """
     return 2 * verticals(n) * (horizontals(n) - 1) + rim_triangles(verticals(n))
+
+
+LONG_SIDES = mpq(1)
+"""The long sides of the blocks with 2^i <= short side < 2^(i+1), at most so many times N.
+
+N is the number of edges of cells on the boundary of Q.  Blocks of one such class are cut off
+by the two half-steps of one level of Lemma 6.  Each has a long side on the boundary of what was
+left, no two the same piece of it.  What is left stays orthoconvex, and so its boundary is at most
+N edges long.  Asserted rather than proved for blocks put out whole; at most 1/2 is seen.
+"""
+
+COUNT_CONSTANT = mpq(63, 10)
+"""Triangles of blocks are at most so many times N^(1 + x), x = 0.8475.
+
+A block with short side s and long side l has at most POWER_CONSTANT (s^x l + l^x s) <= 5 s^x l
+triangles.  A class of blocks has less than 5 (2^(i+1))^x N, and 2^i <= N/4 as a block has four
+sides within the boundary of its bounding box.  Summed over i that is less than
+5 (2^x 2^x/(2^x - 1)) (N/4)^x N = 5/(2^x - 1) N^(1+x), and 2^x > 1.794.
+"""
+
+
+def boundary_edges(columns: int, rows: int) -> int:
+    """N for an orthoconvex Q in one piece: the sides of its bounding box."""
+    return 2 * (columns + rows)
+
+
+def theorem_4_triangles(n: int) -> int:
+    """The explicit O(n^1.8475) of Theorem 4: 6.3 N^1.8475 and the rim, N = 54 n.
+
+    There are at most 9 n columns and 18 n rows.  A crude bound that follows from the parts:
+    for all n in reach `baseline_triangles` is less.
+
+    >>> theorem_4_triangles(10), theorem_4_triangles(10**6) // 10**12
+    (704328, 1216)
+    """
+    edges = boundary_edges(verticals(n), horizontals(n) - 1)
+    _, power = power_bounds(edges, EXPONENT, 8)
+    return int(COUNT_CONSTANT * power * edges) + rim_triangles(verticals(n))
+
+
+def blocks_triangles(powers: mpq, columns: int) -> int:
+    """Triangles for a sum of m^x k + m k^x over blocks, with the rim."""
+    return int(POWER_CONSTANT * powers) + rim_triangles(columns)

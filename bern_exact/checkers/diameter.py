@@ -92,7 +92,7 @@ def _ring(frame: ConvexFrame, start: int) -> Sequence[Position]:
 
 
 def _look_at_chain(chain: Chain, side: int, places: Sequence[Position], broken: Violations) -> None:
-    """One chain against the boundary; strictly increasing x, non-increasing slope, no height < 0."""
+    """One chain against the boundary: increasing x, slopes that do not grow, no height below 0."""
     sign = 1 if side == UPPER else -1
     same = list(places) == [(x, sign * h) for x, h in zip(chain.xs, chain.hs, strict=True)]
     broken.case(same, {"side": side})

@@ -89,7 +89,7 @@ def check_f(frame: ConvexFrame) -> list[Finding]:
         pieces.finding(
             "bounce.f-pieces",
             STAGE,
-            "f has O(n) linear pieces: at most one a vertex, and two",
+            "f has O(n) linear pieces, at most n + 2",
             n + 2,
         ),
     ]

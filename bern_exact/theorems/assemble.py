@@ -22,8 +22,8 @@ Tagged = tuple[int, tuple[Node, Node, Node]]
 
 CLASSES = ("block", "boundary", "merged", "interior", "rectangle", "fan", "cell", "rim")
 """What a triangle comes from: a face of a block, another touched face, a merged face, Q swept or
-cut into rectangles, a lopped corner; of a convex polygon the grid's cells, or a right triangle along
-the boundary."""
+cut into rectangles, a lopped corner; of a convex polygon the grid's cells, or a right triangle
+along the boundary."""
 
 BLOCK, BOUNDARY, MERGED, INTERIOR, RECTANGLE, FAN, CELL, RIM = range(len(CLASSES))
 
