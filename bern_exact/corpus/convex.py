@@ -6,11 +6,12 @@ All coordinates are exact: integers, or rationals where points lie on a circle e
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cmp_to_key
 from random import Random
 
-from gmpy2 import mpq
+from gmpy2 import mpq, mpz, sign
 
-from bern_exact.corpus.shapes import SIZE, Ring
+from bern_exact.corpus.shapes import SIZE
 
 Rational = int | mpq
 Place = tuple[Rational, Rational]
@@ -92,12 +93,12 @@ def ellipse(n: int, seed: int = 0, aspect: int = 1000) -> Rings:
 
 
 def tiny_edges(n: int, seed: int = 0) -> Rings:
-    """Pairs of points round a circle, a millionth of its radius apart; n vertices or one less.
+    """Pairs of points round a circle, a millionth of its radius apart; n vertices, or n - 1 if odd.
 
     Meant to break whatever takes lengths for granted: edges of 1 and of 10^6 beside each other.
     """
     start = Random(seed).randrange(TURNS)
-    pairs = n // 2
+    pairs = max(2, n // 2)
     ring: list[Place] = []
     for i in range(pairs):
         at = start + i * TURNS // pairs
@@ -142,7 +143,7 @@ def needle(n: int, seed: int = 0, aspect: int = 10**6) -> Rings:
     return [hull([(0, random.randrange(width)), (length, random.randrange(width)), *points])]
 
 
-def zigzag_vectors(n: int, seed: int = 0) -> Rings:
+def random_convex(n: int, seed: int = 0) -> Rings:
     """A random convex polygon after Valtr: random vectors of sum 0 in the order of their angles.
 
     n vertices; equal directions make 180-degree ones.
@@ -152,32 +153,27 @@ def zigzag_vectors(n: int, seed: int = 0) -> Rings:
     random.shuffle(ys)
     ring: list[Place] = []
     x = y = 0
-    for dx, dy in sorted(zip(xs, ys, strict=True), key=_slope_key):
+    for dx, dy in sorted(zip(xs, ys, strict=True), key=cmp_to_key(_compare_directions)):
         ring.append((x, y))
         x, y = x + dx, y + dy
     return [ring]
 
 
 def _random_steps(n: int, random: Random) -> list[int]:
-    """n integers other than 0 with the sum 0: two monotone walks there and back."""
+    """n integers other than 0 with the sum 0: the steps of two walks to the right, one turned."""
     marks = sorted(random.sample(range(SIZE), n))
-    low, high = marks[0], marks[-1]
-    steps, last = [], {1: low, -1: low}
+    steps, last = [], {1: marks[0], -1: marks[0]}
     for mark in marks[1:-1]:
         way = random.choice((1, -1))
         steps.append(way * (mark - last[way]))
         last[way] = mark
-    return [*steps, high - last[1], last[-1] - high]
+    return [*steps, marks[-1] - last[1], last[-1] - marks[-1]]
 
 
-def _slope_key(step: tuple[int, int]) -> tuple[int, mpq]:
-    """The order of directions counter-clockwise from the right."""
-    dx, dy = step
-    lower = dy < 0 or (dy == 0 and dx < 0)
-    if dy == 0:
-        return int(lower), mpq(0)
-    # Within a half turn -cot of the angle grows, from below everything.
-    return int(lower), mpq(-dx, dy) + 2 * SIZE
+def _compare_directions(u: tuple[int, int], v: tuple[int, int]) -> int:
+    """-1, 0 or 1 in the order of directions counter-clockwise, upward ones first."""
+    halves = (u[1] < 0) - (v[1] < 0)
+    return halves or int(sign(mpz(v[0] * u[1] - u[0] * v[1])))
 
 
 def subdivided(rings: Rings, parts: int = 2) -> Rings:
@@ -193,7 +189,7 @@ def subdivided(rings: Rings, parts: int = 2) -> Rings:
 
 FAMILIES: Mapping[str, Callable[[int, int], Rings]] = {
     "random-hull": random_hull,
-    "random-convex": zigzag_vectors,
+    "random-convex": random_convex,
     "regular": regular,
     "parabola": parabola,
     "arc": arc,
@@ -203,5 +199,3 @@ FAMILIES: Mapping[str, Callable[[int, int], Rings]] = {
     "needle": needle,
 }
 """Each family, of about n vertices from a seed."""
-
-__all__ = ["FAMILIES", "Place", "Ring", "Rings", "circle_point", "hull", "subdivided"]
