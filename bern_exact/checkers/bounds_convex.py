@@ -16,12 +16,12 @@ RIGHT_COTANGENT = mpq(0)
 LEAST_WIDTH_SQUARED = mpq(1)
 """a^2/(c d) of each use of Lemma 10 is at least this (Lemma 10, in its exact form).
 
-A rectangle [0, a] x [0, c + d] with a subdivision s = (0, c) has five vertices.  Without Steiner
-points it has three triangles, and if none is obtuse none of its corners is cut off but the two
-beside s: the right angle there would be split, so that the diagonal of the rest would leave an
-angle above 90 degrees at s.  With both far corners joined to s the only angle that may be
-obtuse is the one at s, with dot product (a, -c) (a, d) = a^2 - c d.  The printed condition, a
-greater than c and d, is sufficient and not necessary: on uniform grids it allows nothing.
+A rectangle A = (0, 0), B = (a, 0), C = (a, c + d), D = (0, c + d) with a subdivision s = (0, c)
+is a pentagon.  Without Steiner points it has three triangles that share a corner.  That is s:
+with B it would be s B D, whose dot product at s is (a, -c) (0, d) = -c d < 0, with C likewise
+s C A, and with A or D the side A D would be a diagonal.  Of the three triangles at s only s B C
+may be obtuse, at s, where the dot product is (a, -c) (a, d) = a^2 - c d.  The printed condition,
+a greater than c and d, is sufficient and not necessary: on uniform grids it allows nothing.
 """
 
 EPSILON = mpq(1, 6)
@@ -88,9 +88,10 @@ Proved:
 - The recursion with the claims of `lemma-11.medians`, `lemma-11.outer` and `lemma-12.separation`
   at each node, each part of the worst possible size, was evaluated for every m, k <= 700,
   and for m <= 24, k <= 4000: never above 1.66 and 1.81 (m^x k + m k^x).
-- Apart from rounding (Section 5.2, repaired): m^x k + m k^x summed over the seven parts of a
-  rectangle is at most 0.9999733 m^x k + 0.943 m k^x, without any assumption on m < k.  What is
-  printed, with a product in place of the sum, needs m' < k' in all parts, which is false.
+- Apart from rounding (Section 5.2, repaired): summed over the seven parts of a split by columns,
+  m^x k is at most 2.5 (3^-x) 2/3 + (5/6)^x/3 < 0.9426 of what it was, and m k^x at most
+  0.99998 of it; by rows the other way round.  This needs no assumption on m < k.  What is
+  printed has m^x k alone, and needs m' < k' in all seven parts, which is false.
 
 Asserted: the constant for all larger rectangles, where rounding a part's size by one line
 has less and less influence.  The checker evaluates it on each block of each run.  c cannot be
