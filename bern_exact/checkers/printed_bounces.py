@@ -1,4 +1,4 @@
-"""What Section 5 prints of bouncing and is false: no path turns, and any triangle may come first."""
+"""What Section 5 prints of bouncing and is false: no path turns, any triangle may be next."""
 
 from __future__ import annotations
 
@@ -75,6 +75,7 @@ class FarthestFirst:
         self._replay = Replay(frame)
         self._turns = self._replay.turns
         self._steps = 0
+        self._known: dict[Pending, tuple[int, mpq]] = {}
         strips = self._replay.strips
         for x in (*strips.right, *strips.left):
             self._replay.add(x)
@@ -106,12 +107,21 @@ class FarthestFirst:
             triangles.setdefault((self._replay.column(x), side), []).append(x)
         for (_, side), places in triangles.items():
             if len(places) > 1:
-                direction = self._turns.zone(places[0]) * self._turns.outward(places[0], side)
-                second = sorted(places, key=lambda x: x * (direction or 1))[1]
-                yield self._along(second, side), Pending(second, side)
+                rightward = self._motion(Pending(places[0], side))[0]
+                second = sorted(places, reverse=rightward < 0)[1]
+                along = self._motion(Pending(second, side))[1]
+                yield along, Pending(second, side)
 
-    def _along(self, x: mpq, side: int) -> mpq:
-        """How far along: where it is on the right or would come to be next, outward or inward."""
-        zone, outward = self._turns.zone(x), self._turns.outward(x, side)
-        place = x if zone > 0 else self._turns.next(x, side)
-        return outward * (mpq(0) if place is None else place)
+    def _motion(self, pending: Pending) -> tuple[int, mpq]:
+        """Whether a path goes right, left or nowhere; how far along it is, outward or inward.
+
+        That is by where it is on the right, or would come to be next.
+        """
+        found = self._known.get(pending)
+        if found is None:
+            x, side = pending
+            zone, outward = self._turns.zone(x), self._turns.outward(x, side)
+            place = x if zone > 0 else self._turns.next(x, side)
+            found = zone * outward, outward * (mpq(0) if place is None else place)
+            self._known[pending] = found
+        return found

@@ -106,7 +106,7 @@ def tiny_edges(n: int, seed: int = 0) -> Rings:
     return [hull(ring)]
 
 
-def slow_spiral(n: int, seed: int = 0) -> Rings:
+def clustered_spiral(n: int, seed: int = 0) -> Rings:
     """A parallelogram with n - 4 further vertices close together, whose paths wind slowly.
 
     The highest and lowest vertices are nearly above each other, so that each turn of a path goes
@@ -123,7 +123,7 @@ def slow_spiral(n: int, seed: int = 0) -> Rings:
     return [hull(found)]
 
 
-def clustered_spiral(n: int, seed: int = 0) -> Rings:
+def occupied_spiral(n: int, seed: int = 0) -> Rings:
     """A parallelogram, a cluster of vertices where paths begin, and the others along their way.
 
     The paths of the cluster wind outward through triangles that hold a subdivision each.
@@ -143,7 +143,7 @@ def clustered_spiral(n: int, seed: int = 0) -> Rings:
     for side, part in placed:
         t = part * mpq(19, 20)
         found.append(_beside(ends[side], tops[side], t, -t * (1 - t) / 10**7))
-    return [hull(found)]
+    return [hull([(int(10**18 * x), int(10**18 * y)) for x, y in found])]
 
 
 def _beside(start: Place, end: Place, along: mpq, aside: mpq) -> Place:
@@ -217,8 +217,8 @@ FAMILIES: Mapping[str, Callable[[int, int], Rings]] = {
     "arc": arc,
     "ellipse": ellipse,
     "tiny-edges": tiny_edges,
-    "slow-spiral": slow_spiral,
     "clustered-spiral": clustered_spiral,
+    "occupied-spiral": occupied_spiral,
     "needle": needle,
 }
 """Each family, of about n vertices from a seed."""
