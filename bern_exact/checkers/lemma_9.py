@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from gmpy2 import mpq
 
 from bern_exact.checkers import bounds_bounce as bounds
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
-from bern_exact.convex.records import Gridded, Leg, Position
+from bern_exact.convex.records import Corner, Gridded, GridPoint, Leg, Position, RightTriangle
 
 STAGE = "gridded"
-
-Edge = tuple[Position, Position]
 
 
 def check_lemma_9(gridded: Gridded) -> list[Finding]:
@@ -26,20 +22,19 @@ def check_lemma_9(gridded: Gridded) -> list[Finding]:
     Parameters
     ----------
     gridded : Gridded
-        The record; nothing but its coordinates is believed.
+        The record; its lines, certified by `grid`, are believed to increase.
 
     Notes
     -----
-    Linear time.
+    Linear time.  Corners on one line are told by their indices, others by their coordinates.
     """
     right, tiling, most = Violations(), Violations(), Extreme(greatest=True)
     for leg in gridded.legs:
         place = {"column": leg.column, "side": leg.side}
-        triangles = [tuple(map(gridded.position, corners)) for corners in leg.triangles]
-        for corners in triangles:
-            right.case(_is_right(*corners), place)
-        tiling.case(_is_tiling(gridded, leg, triangles), place)
-        most.offer(len(triangles), 1, place)
+        for triangle in leg.triangles:
+            right.case(_is_right(gridded, triangle), place)
+        tiling.case(_is_tiling(gridded, leg), place)
+        most.offer(len(leg.triangles), 1, place)
     return [
         right.finding(
             "lemma-9.right", STAGE, "each triangle is positive, with an angle of exactly 90 degrees"
@@ -59,45 +54,60 @@ def check_lemma_9(gridded: Gridded) -> list[Finding]:
     ]
 
 
-def _is_right(p: Position, q: Position, r: Position) -> bool:
+def _is_right(gridded: Gridded, triangle: RightTriangle) -> bool:
     """Is one of the angles exactly 90 degrees, and is the triangle counter-clockwise?"""
-    dots = (_dot(p, q, r), _dot(q, r, p), _dot(r, p, q))
-    return 0 in dots and _cross(p, q, r) > 0
+    a, b, c = triangle
+    if isinstance(a, tuple) and isinstance(b, tuple) and isinstance(c, tuple):
+        for p, q, r in ((a, b, c), (b, c, a), (c, a, b)):
+            if (p[0] == q[0] and p[1] == r[1]) or (p[1] == q[1] and p[0] == r[0]):
+                return _turn(p, q, r) > 0
+    corners = tuple(map(gridded.position, triangle))
+    return any(_dot(*corners[i:], *corners[:i]) == 0 for i in range(3)) and _cross(*corners) > 0
 
 
-def _is_tiling(gridded: Gridded, leg: Leg, triangles: list[tuple[Position, ...]]) -> bool:
-    """Is each directed edge used once, and is what no reverse cancels the subdivided outline?"""
-    edges: set[Edge] = set()
-    for p, q, r in triangles:
-        sides = ((p, q), (q, r), (r, p))
-        if _cross(p, q, r) <= 0 or any(side in edges for side in sides):
-            return False
-        edges.update(sides)
+def _turn(p: GridPoint, q: GridPoint, r: GridPoint) -> int:
+    """The orientation of a triangle with two sides along lines, by indices."""
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def _is_tiling(gridded: Gridded, leg: Leg) -> bool:
+    """Is each directed edge used once, and is what no reverse cancels the subdivided outline?
+
+    With positive triangles, which is `lemma-9.right`, they then fill the outline.
+    """
+    sides = [pair for p, q, r in leg.triangles for pair in ((p, q), (q, r), (r, p))]
+    edges = set(sides)
     free = {edge for edge in edges if edge[::-1] not in edges}
-    low, right, high = map(gridded.position, (leg.low, leg.right, leg.high))
-    wanted = {low, right, high}
+    corners = (leg.low, leg.right, leg.high)
+    feet = {p for edge in edges for p in edge} - {*corners, leg.subdivision}
+    outline: list[Corner] = [*corners, *feet]
     if leg.subdivision is not None:
-        wanted.add(gridded.position(leg.subdivision))
-    feet = {p for triangle in triangles for p in triangle} - wanted
-    outline = [*_on(low, right, wanted), *_on(right, high, wanted), *_on(high, low, wanted | feet)]
-    if _cross(low, right, high) < 0:
-        outline = [(q, p) for p, q in outline]
-    on_boundary = {p for edge in outline for p in edge}
-    return free == set(outline) and len(feet) <= 1 and on_boundary == wanted | feet
+        outline.insert(2, leg.subdivision)
+    ring = set(zip(outline, [*outline[1:], outline[0]], strict=True))
+    if _turn(leg.right, leg.high, leg.low) < 0:
+        ring = {(q, p) for p, q in ring}
+    return (
+        len(sides) == len(edges)
+        and free == ring
+        and len(feet) == (leg.subdivision is not None)
+        and _is_on_leg(leg)
+        and all(_is_on_hypotenuse(gridded, leg, foot) for foot in feet)
+    )
 
 
-def _on(start: Position, end: Position, points: set[Position]) -> Iterator[Edge]:
-    """The pieces of a segment between these points, those that are not on it left out."""
-    dx, dy = end[0] - start[0], end[1] - start[1]
-    length = dx * dx + dy * dy
-    placed = []
-    for p in points:
-        along = (p[0] - start[0]) * dx + (p[1] - start[1]) * dy
-        if _cross(start, end, p) == 0 and 0 <= along <= length:
-            placed.append((along, p))
-    placed.sort()
-    for (_, p), (_, q) in zip(placed, placed[1:], strict=False):
-        yield p, q
+def _is_on_leg(leg: Leg) -> bool:
+    """Is the subdivision strictly between the right angle and the far corner?"""
+    if leg.subdivision is None:
+        return True
+    column, row = leg.subdivision
+    ends = sorted((leg.right[1], leg.high[1]))
+    return column == leg.right[0] == leg.high[0] and ends[0] < row < ends[1]
+
+
+def _is_on_hypotenuse(gridded: Gridded, leg: Leg, foot: Corner) -> bool:
+    """Is this point strictly between the two corners on the boundary?"""
+    p, q, s = map(gridded.position, (leg.low, leg.high, foot))
+    return min(p[0], q[0]) < s[0] < max(p[0], q[0]) and _cross(p, q, s) == 0
 
 
 def _dot(p: Position, q: Position, r: Position) -> mpq:

@@ -107,28 +107,50 @@ def tiny_edges(n: int, seed: int = 0) -> Rings:
 
 
 def clustered_spiral(n: int, seed: int = 0) -> Rings:
-    """A parallelogram with n - 4 further vertices close together, and paths that wind slowly.
+    """A parallelogram with n - 4 further vertices close together, whose paths wind slowly.
 
     The highest and lowest vertices are nearly above each other, so that each turn of a path goes
-    outward by a hundredth only.  The paths of the cluster wind side by side: bounced in the
-    wrong order their subdivisions stay together, and the steps are quadratic in n.
+    outward by a hundredth only.  Meant for the bounds on bouncing: nearly as many half-steps
+    as may be, 3.9 n verticals.
     """
     shift = 500 + seed % 400
-    left, right = (-(10**5), 0), (10**5, 0)
-    top, bottom = (shift, 10**4), (-shift, -(10**4))
-    return [hull([left, right, top, bottom, *_cluster(top, right, n - 4)])]
-
-
-def _cluster(start: tuple[int, int], end: tuple[int, int], k: int) -> list[Place]:
-    """k points near the start of an edge, just outside it, on a parabola."""
-    (px, py), (qx, qy) = start, end
-    found: list[Place] = []
+    right, top = (10**5, 0), (shift, 10**4)
+    found: list[Place] = [right, top, (-(10**5), 0), (-shift, -(10**4))]
+    k = n - 4
     for i in range(1, k + 1):
-        along, out = mpq(i, 100 * (k + 1)), mpq(i * (2 * k + 2 - i), 10**6 * (k + 1) ** 2)
-        found.append(
-            (px + along * (qx - px) - out * (qy - py), py + along * (qy - py) + out * (qx - px))
-        )
-    return found
+        bend = mpq(i * (2 * k + 2 - i), 10**6 * (k + 1) ** 2)
+        found.append(_beside(top, right, mpq(i, 100 * (k + 1)), bend))
+    return [hull(found)]
+
+
+def occupied_spiral(n: int, seed: int = 0) -> Rings:
+    """A parallelogram, a cluster of vertices where paths begin, and the others along their way.
+
+    The paths of the cluster wind outward through triangles that hold a subdivision each.
+    Meant to break orders of bouncing: if the farthest triangle is always treated first, each path
+    of the cluster pushes all the others on, with several times the half-steps.
+    """
+    slope = mpq(1, 50 + seed % 20)
+    ratio = (1 - slope) / (1 + slope)
+    cluster = max(1, (n - 4) * 2 // 5)
+    ends = {1: (mpq(1), mpq(0)), -1: (mpq(-1), mpq(0))}
+    tops = {1: (slope, mpq(1, 5)), -1: (-slope, mpq(-1, 5))}
+    along = [1 - (1 - ratio) * mpq(i + 1, 4 * (cluster + 1)) for i in range(cluster)]
+    placed = [(1, t) for t in along]
+    for j in range(n - 4 - cluster):
+        placed.append((-1 if j % 2 == 0 else 1, ratio ** (j + 1) * (1 + ratio) / 2))
+    found: list[Place] = [*ends.values(), *tops.values()]
+    for side, part in placed:
+        t = part * mpq(19, 20)
+        found.append(_beside(ends[side], tops[side], t, -t * (1 - t) / 10**7))
+    return [hull([(int(10**18 * x), int(10**18 * y)) for x, y in found])]
+
+
+def _beside(start: Place, end: Place, along: mpq, aside: mpq) -> Place:
+    """The point at a part of the way, moved to the left by a part of the edge's length."""
+    (px, py), (qx, qy) = start, end
+    dx, dy = qx - px, qy - py
+    return px + along * dx - aside * dy, py + along * dy + aside * dx
 
 
 def needle(n: int, seed: int = 0, aspect: int = 10**6) -> Rings:
@@ -196,6 +218,7 @@ FAMILIES: Mapping[str, Callable[[int, int], Rings]] = {
     "ellipse": ellipse,
     "tiny-edges": tiny_edges,
     "clustered-spiral": clustered_spiral,
+    "occupied-spiral": occupied_spiral,
     "needle": needle,
 }
 """Each family, of about n vertices from a seed."""

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from bern_exact.exact.points import HPoint
 
-OPEN = ("line", "removed")
+OPEN = ("line", "removed", "bounced", "closed")
 """Styles of lines that are not closed to rings."""
 
 

@@ -22,6 +22,8 @@ COLOURS = {
     "cell": ("#e9eef8", "#a9b7d6"),
     "rim": ("#f8e8c4", "#c9a657"),
     "mesh": ("#eef3f6", "#b6c5cf"),
+    "bounced": ("none", "#b3261e"),
+    "closed": ("none", "#1d7a3e"),
     "halved": ("#f3cda5", "#bf7f45"),
     "removed": ("none", "#b3261e"),
     "strip": ("#f8e8c4", "#c9a657"),
@@ -41,6 +43,8 @@ LABELS = {
     "cell": "inside: rectangles (Section 5)",
     "rim": "along the boundary (Lemma 9)",
     "mesh": "triangles",
+    "bounced": "bounced paths (Figure 9)",
+    "closed": "closed paths",
     "halved": "where a line ends (Lemma 10)",
     "removed": "lines removed (Lemma 11)",
     "strip": "strips l and r, t and b",
@@ -56,7 +60,15 @@ INSET = 250
 LEGEND_LINE = 24
 CAPTION = 58
 
-STROKES = {"outline": 1100, "line": 500, "removed": 500, "markA": 1600, "markB": 1600}
+STROKES = {
+    "outline": 1100,
+    "line": 500,
+    "removed": 500,
+    "bounced": 700,
+    "closed": 700,
+    "markA": 1600,
+    "markB": 1600,
+}
 """Stroke widths in 1/1000 pixel, of paths; 350 for all others.
 
 `vector-effect` would keep strokes thin at any zoom, but not every viewer knows it.

@@ -21,12 +21,14 @@ from bern_exact.boundary.records import (
     Traced,
 )
 from bern_exact.convex.block_records import Blocks, Reduced
+from bern_exact.convex.records import Bounced, ConvexFrame, Gridded
 from bern_exact.exact.points import HPoint, grid_point, hpoint
 from bern_exact.interior.records import Rectilinear, Swept
 from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import CLASSES, Assembled
 from bern_exact.view.blocks import merged_layers, part_layers, reduced_layers
+from bern_exact.view.bounced import bounced_layers, frame_layers, grid_layers
 from bern_exact.view.canvas import DETAIL, Plane, Window, path_data
 from bern_exact.view.layers import OPEN, Layer
 from bern_exact.view.page import COLOURS, Page
@@ -201,6 +203,9 @@ _PAINTERS: dict[type, Callable[..., list[Layer]]] = {
     Rectilinear: _region,
     Swept: _swept,
     Assembled: _assembled,
+    ConvexFrame: frame_layers,
+    Bounced: bounced_layers,
+    Gridded: grid_layers,
     Blocks: merged_layers,
     Reduced: reduced_layers,
 }

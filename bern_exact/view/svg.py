@@ -23,6 +23,8 @@ CLASSES = (
     "fan",
     "rim",
     "mesh",
+    "bounced",
+    "closed",
     "halved",
     "removed",
     "strip",
