@@ -13,8 +13,9 @@ from bern_exact.convex.block_records import Block, Blocks
 from bern_exact.convex.cells import Cells
 
 SCALES = st.builds(
-    lambda part, power: part * mpq(2) ** power,
-    st.fractions(min_value="1/9", max_value=9, max_denominator=9).map(mpq),
+    lambda over, under, power: mpq(over, under) * mpq(2) ** power,
+    st.integers(1, 9),
+    st.integers(1, 9),
     st.integers(-90, 90),
 )
 """Positive widths of wildly varying scales."""
@@ -28,11 +29,12 @@ def gap_lists(draw: st.DrawFn, most: int = 12) -> list[mpq]:
     if kind == "uniform":
         return [draw(SCALES)] * size
     if kind == "near":
-        return [mpq(draw(st.integers(2, 5)), 3) for _ in range(size)]
+        thirds = draw(st.lists(st.integers(2, 5), min_size=size, max_size=size))
+        return [mpq(part, 3) for part in thirds]
     if kind == "geometric":
         ratio = draw(st.sampled_from((mpq(2), mpq(1, 2), mpq(3, 2), mpq(1, 1000))))
         return [ratio**i for i in range(size)]
-    return [draw(SCALES) for _ in range(size)]
+    return draw(st.lists(SCALES, min_size=size, max_size=size))
 
 
 def lines(gaps: Sequence[mpq], below: int = 0) -> tuple[mpq, ...]:
@@ -55,12 +57,12 @@ def rectangles(draw: st.DrawFn, most: int = 12) -> Blocks:
 
 
 @st.composite
-def staircases(draw: st.DrawFn, most: int = 14) -> Cells:
+def staircases(draw: st.DrawFn, most: int = 10) -> Cells:
     """An orthoconvex region above and below a line: heights rise to a greatest and fall again."""
     columns = draw(gap_lists(most))
-    high, low = (draw(unimodal(len(columns), 8)) for _ in range(2))
+    high, low = (draw(unimodal(len(columns), 6)) for _ in range(2))
     below, above = max(low), max(high)
-    rows = [draw(SCALES) for _ in range(below + above)] or [mpq(1)]
+    rows = draw(st.lists(SCALES, min_size=below + above, max_size=below + above)) or [mpq(1)]
     below_line = tuple(below - h for h in low)
     return Cells(lines(columns), lines(rows, below), below_line, tuple(below + h for h in high))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from gmpy2 import mpq
-from hypothesis import given
+from hypothesis import given, settings
 
 from bern_exact.convex.block_records import Block, Blocks
 from bern_exact.convex.cells import Cells
@@ -24,11 +24,13 @@ def covered(blocks: Blocks) -> Counter[tuple[int, int]]:
     )
 
 
+@settings(max_examples=40)
 @given(staircases())
 def test_each_cell_lies_in_one_block(cells: Cells) -> None:
     assert covered(merge(cells)) == Counter(every_cell(cells))
 
 
+@settings(max_examples=40)
 @given(staircases())
 def test_the_outline_encloses_the_cells(cells: Cells) -> None:
     loops = outline(cells).loops

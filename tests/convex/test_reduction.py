@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 from gmpy2 import mpq
-from hypothesis import given
+from hypothesis import given, settings
 
 from bern_exact.convex.block_records import Blocks, Reduced
 from bern_exact.convex.cells import Cells
@@ -74,6 +74,7 @@ def test_scaling_changes_nothing(columns: list[mpq], rows: list[mpq], factor: mp
     assert reduce_blocks(scaled).blocks == reduce_blocks(rectangle(columns, rows)).blocks
 
 
+@settings(max_examples=40)
 @given(staircases())
 def test_a_region_is_triangulated_as_a_whole(cells: Cells) -> None:
     """The blocks match: the edges without a reverse are those of the outline."""
