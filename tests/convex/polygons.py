@@ -9,7 +9,7 @@ from gmpy2 import mpq
 from hypothesis import strategies as st
 
 from bern_exact.corpus.convex import FAMILIES, Place, Rings, hull, subdivided
-from bern_exact.exact.points import hpoint
+from bern_exact.exact.points import coordinates, hpoint
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
 
@@ -84,18 +84,26 @@ RANDOM: dict[str, Callable[[Random], Rings]] = {
 }
 
 
-@st.composite
-def convex_polygons(draw: st.DrawFn) -> Polygon:
+def some_convex(random: Random, most: int = 13) -> Polygon:
     """Any of these, perhaps subdivided, turned by an exact similarity, reversed or relabelled."""
-    random = Random(draw(st.integers(0, 10**6)))
-    name = draw(st.sampled_from((*RANDOM, *FAMILIES)))
+    name = random.choice((*RANDOM, *FAMILIES))
     ring: list[Place] = []
     while len(ring) < 3:
-        n = random.randrange(6, 14)
+        n = random.randrange(6, most + 1)
         (ring,) = RANDOM[name](random) if name in RANDOM else FAMILIES[name](n, random.randrange(9))
-    (ring,) = subdivided([ring], draw(st.sampled_from((1, 1, 1, 2, 3))))
-    u, v = draw(st.sampled_from(((1, 0), (3, 4), (1, -7), (-2, 1))))
+    (ring,) = subdivided([ring], random.choice((1, 1, 1, 2, 3)))
+    u, v = random.choice(((1, 0), (3, 4), (1, -7), (-2, 1)))
     ring = [(u * x - v * y, v * x + u * y) for x, y in ring]
     start = random.randrange(len(ring))
     ring = ring[start:] + ring[:start]
-    return polygon([ring[::-1] if draw(st.booleans()) else ring])
+    return polygon([ring[:: random.choice((1, -1))]])
+
+
+def convex_hull_of(shape: Polygon) -> Polygon:
+    """The convex hull of a polygon."""
+    return polygon([hull([coordinates(p) for p in shape.points])])
+
+
+def convex_polygons(most: int = 13) -> st.SearchStrategy[Polygon]:
+    """Any convex polygon that `some_convex` draws, from members of at most so many vertices."""
+    return st.integers(0, 10**6).map(lambda seed: some_convex(Random(seed), most))

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
 from importlib import resources
+from pathlib import Path
 
 import pytest
 from gmpy2 import mpq
@@ -35,14 +39,14 @@ def proved(made: Construction) -> Construction:
     return made
 
 
-@settings(max_examples=20)
-@given(convex_polygons())
+@settings(max_examples=10)
+@given(convex_polygons(7))
 def test_no_angle_is_obtuse(shape: Polygon) -> None:
     proved(theorem_4(shape))
 
 
-@settings(max_examples=6)
-@given(convex_polygons())
+@settings(max_examples=4)
+@given(convex_polygons(7))
 def test_no_angle_is_obtuse_in_the_baseline(shape: Polygon) -> None:
     better, simpler = theorem_4(shape, check="none"), proved(bouncing(shape))
     assert len(better.assembled.mesh.triangles) <= len(simpler.assembled.mesh.triangles)
@@ -58,7 +62,7 @@ def test_families(name: str) -> None:
     proved(theorem_4(family(name, 16, 2), as_printed=True))
 
 
-@pytest.mark.parametrize("name", ["random-hull", "regular", "ellipse"])
+@pytest.mark.parametrize("name", ["random-hull", "regular"])
 def test_180_degree_vertices_anywhere(name: str) -> None:
     proved(theorem_4(family(name, 7, 1, parts=3)))
 
@@ -151,3 +155,36 @@ def test_the_certificate_tells_the_diameter() -> None:
 def test_a_rational_rotation_is_told() -> None:
     certificate = triangulate(shape("right triangle"), theorem=4).certificate
     assert certificate.rotation == (mpq(4, 5), mpq(3, 5))
+
+
+def test_claims_are_unique_and_put_to_the_test() -> None:
+    made = theorem_4(family("random-hull", 40))
+    assert len({found.claim for found in made.findings}) == len(made.findings)
+    assert not [found.claim for found in made.findings if not found.cases]
+    for found in made.findings:
+        json.dumps([found.to_json(), found.witness])
+
+
+PRINTED = """
+import hashlib
+from bern_exact import triangulate
+from tests.convex.polygons import family
+for name in ("random-hull", "clustered-spiral"):
+    result = triangulate(family(name, 14), theorem=4, as_printed=True, thin=name == "random-hull")
+    print(name, hashlib.sha256(result.document.encode()).hexdigest())
+"""
+
+
+def test_the_same_bytes_under_any_hash_seed() -> None:
+    first, second = (
+        subprocess.run(
+            [sys.executable, "-c", PRINTED],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            cwd=Path(__file__).resolve().parents[2],
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("0", "4242")
+    )
+    assert first == second and first.count("\n") == 2
