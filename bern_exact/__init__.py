@@ -11,7 +11,7 @@ way, and an independent judge of finished meshes::
     result.save("plate.mesh.json")
 """
 
-from bern_exact.api import NotInThisVersion, Result, triangulate
+from bern_exact.api import Result, triangulate
 from bern_exact.certificate import Certificate
 from bern_exact.checkers.findings import Finding, LemmaViolation
 from bern_exact.exact.errors import InputError
@@ -31,7 +31,6 @@ __all__ = [
     "InputError",
     "LemmaViolation",
     "Mesh",
-    "NotInThisVersion",
     "Polygon",
     "Result",
     "Verdict",

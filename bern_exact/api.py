@@ -8,10 +8,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, get_args
 
-from gmpy2 import mpq
-
 from bern_exact.boundary.merge import Objective
-from bern_exact.certificate import Certificate, extremes
+from bern_exact.boundary.records import Framed
+from bern_exact.certificate import Certificate, Diameter, extremes
+from bern_exact.convex.records import ConvexFrame
 from bern_exact.counts import stage_counts
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.formats import safe_json
@@ -27,21 +27,32 @@ from bern_exact.theorems.stages import Check, Construction, Observer, RefusedOpt
 from bern_exact.theorems.theorem_1 import theorem_1
 from bern_exact.theorems.theorem_2 import DEGREES_150, theorem_2
 from bern_exact.theorems.theorem_3 import theorem_3
+from bern_exact.theorems.theorem_4 import DEGREES_90, bouncing, theorem_4
 from bern_exact.theorems.thinned import thinned
 
-THEOREMS: Mapping[int, Callable[..., Construction]] = {1: theorem_1, 2: theorem_2, 3: theorem_3}
-"""The constructions in this version, by theorem."""
+THEOREMS: Mapping[int, Callable[..., Construction]] = {
+    1: theorem_1,
+    2: theorem_2,
+    3: theorem_3,
+    4: theorem_4,
+}
+"""The constructions, by theorem."""
 
 OPTIONS: Mapping[int, Sequence[str]] = {
     1: (),
     2: ("max_angle", "objective", "squares"),
     3: ("max_angle", "objective", "interior"),
+    4: (),
 }
 """The options of each construction."""
 
-
-class NotInThisVersion(NotImplementedError):
-    """A theorem whose construction this version does not have."""
+THINNING_BOUNDS: Mapping[int, AngleBound | None] = {
+    1: None,
+    2: DEGREES_150,
+    3: DEGREES_150,
+    4: DEGREES_90,
+}
+"""The angle bound that thinning keeps if no other was asked for, by theorem."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +66,8 @@ class Result:
     mesh : Mesh
         The input's vertices first, in input order; triangles counter-clockwise.
     classes : sequence of str
-        For each triangle what it comes from: "block", "boundary", "interior" or "fan".
+        For each triangle what it comes from, one of `bern_exact.theorems.assemble.CLASSES`, or
+        "mesh" after thinning.
     certificate : Certificate
         What was measured, and every claim that was checked.
     stages : mapping
@@ -117,7 +129,7 @@ def triangulate(
         Theorem 2: cut off the paper's unit squares in Lemma 6 instead of whole strips.
     baseline : bool
         The simpler construction that the theorem improves on: all interior rectangles, split
-        by diagonals.
+        by diagonals; for Theorem 4 the O(n^2) bouncing algorithm.
     thin : bool
         Afterwards remove every vertex that the guarantees can spare; the mesh is then the
         thinned one, and `certificate.raw` keeps the raw mesh's figures.
@@ -132,10 +144,8 @@ def triangulate(
 
     Raises
     ------
-    NotInThisVersion
-        For Theorem 4.
     InputError
-        Kind `has-holes`, for Theorem 2.
+        Kind `has-holes`, for Theorems 2 and 4; `not-convex`, for Theorem 4.
     LemmaViolation
         If a guarantee fails: a bug here or an error in the paper, with its exact witness.
     RefusedOption
@@ -154,8 +164,6 @@ def triangulate(
         raise RefusedOption(f"no theorem {theorem}: 1, 2, 3 or 4")
     polygon = polygon_of(polygon)
     chosen = theorem or (3 if polygon.holes else 2)
-    if chosen not in THEOREMS:
-        raise NotInThisVersion(f"Theorem {chosen} is not in this version; Theorems 1, 2 and 3 are")
     for name, value, known in (
         ("check", check, Check),
         ("interior", interior, Method),
@@ -183,7 +191,7 @@ def triangulate(
         return result
     sparse = thinned(
         made,
-        max_angle=None if chosen == 1 else bound or DEGREES_150,
+        max_angle=bound or THINNING_BOUNDS[chosen],
         thin_angle=thin_angle
         if isinstance(thin_angle, AngleBound | None)
         else _angle_bound(thin_angle),
@@ -202,6 +210,8 @@ def _baseline_of(theorem: int, given: dict[str, Any]) -> Callable[..., Construct
     for name in ("interior", "squares"):
         if name in given:
             raise RefusedOption(f"the baseline has no choice of {name}")
+    if theorem == 4:
+        return bouncing
     if theorem > 1:
         given.setdefault("max_angle", DEGREES_150)
     return construct_baseline
@@ -209,14 +219,15 @@ def _baseline_of(theorem: int, given: dict[str, Any]) -> Callable[..., Construct
 
 def _result(made: Construction, theorem: int, raw: Certificate | None = None) -> Result:
     """A construction with its certificate."""
-    mesh = made.assembled.mesh
+    mesh, framed = made.assembled.mesh, made.framed
     certificate = Certificate(
         theorem=theorem,
         n=made.polygon.n,
         holes=made.polygon.holes,
         feature_size_squared=made.feature.squared,
-        grid_unit=made.framed.unit,
-        rotation=_rotation(made),
+        grid_unit=framed.unit if isinstance(framed, Framed) else None,
+        rotation=framed.similarity.rotation_part,
+        diameter=None if isinstance(framed, Framed) else _diameter(framed),
         counts=stage_counts(made.records),
         triangles=len(mesh.triangles),
         worst=extremes(mesh),
@@ -230,7 +241,9 @@ def _result(made: Construction, theorem: int, raw: Certificate | None = None) ->
     return Result(made.polygon, mesh, classes, certificate, made.records)
 
 
-def _rotation(made: Construction) -> tuple[mpq, mpq]:
-    """Cosine and sine of the turn into the grid's frame: the similarity without its scale 1/b."""
-    to_grid, unit = made.framed.similarity, made.framed.unit
-    return mpq(to_grid.a, to_grid.d) * unit, mpq(to_grid.b, to_grid.d) * unit
+def _diameter(framed: ConvexFrame) -> Diameter:
+    """The longest diagonal, which Theorem 4's frame maps to (0, 0), (1, 0)."""
+    return Diameter(
+        (framed.polygon.place(framed.a), framed.polygon.place(framed.b)),
+        framed.similarity,
+    )

@@ -13,6 +13,7 @@ from bern_exact.exact.angles import Angle, largest_angle
 from bern_exact.exact.enclosures import degrees_enclosure, sqrt_enclosure
 from bern_exact.exact.numbers import format_rational
 from bern_exact.exact.predicates import squared_height
+from bern_exact.exact.similarity import Similarity
 from bern_exact.plane.mesh import Mesh
 
 
@@ -63,6 +64,32 @@ def extremes(mesh: Mesh) -> Extremes:
 
 
 @dataclass(frozen=True)
+class Diameter:
+    """The longest diagonal AB of a convex polygon, and the frame in which Theorem 4 has it.
+
+    Parameters
+    ----------
+    vertices : ((int, int), (int, int))
+        A and B as [ring, index].
+    frame : Similarity
+        z -> alpha z + beta of complex numbers, with A at 0 and B at 1.
+    """
+
+    vertices: tuple[tuple[int, int], tuple[int, int]]
+    frame: Similarity
+
+    def to_json(self) -> dict[str, Any]:
+        """The diameter as it stands in a certificate; rotation and scale are alpha together."""
+        to = self.frame
+        return {
+            "vertices": [list(place) for place in self.vertices],
+            "squared": format_rational(1 / to.squared_scale),
+            "alpha": [format_rational(mpq(part, to.d)) for part in (to.a, to.b)],
+            "beta": [format_rational(mpq(part, to.d)) for part in (to.u, to.v)],
+        }
+
+
+@dataclass(frozen=True)
 class Certificate:
     """What is certified of a mesh that this program made.
 
@@ -77,7 +104,7 @@ class Certificate:
     grid_unit : mpq or None
         The grid unit b in the input's units, if the construction has a grid.
     rotation : (mpq, mpq) or None
-        (cos, sin) of the rotation into the grid's frame.
+        (cos, sin) of the rotation into the grid's frame, or into Theorem 4's; None if irrational.
     counts : mapping
         For each stage what it made, in numbers.
     triangles : int
@@ -88,6 +115,8 @@ class Certificate:
         Every claim of every lemma on the way.
     raw : Certificate, optional
         Of the mesh before thinning, if this one is of a thinned mesh.
+    diameter : Diameter, optional
+        Theorem 4's frame.
     """
 
     theorem: int
@@ -101,6 +130,7 @@ class Certificate:
     worst: Extremes
     claims: Sequence[Finding]
     raw: Certificate | None = None
+    diameter: Diameter | None = None
 
     @property
     def max_angle(self) -> Angle:
@@ -139,6 +169,8 @@ class Certificate:
             **self.figures(),
             "claims": [claim.to_json() for claim in self.claims],
         }
+        if self.diameter is not None:
+            record["diameter"] = self.diameter.to_json()
         if self.raw is not None:
             record["raw"] = self.raw.figures()
         return record

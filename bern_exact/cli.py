@@ -11,7 +11,7 @@ import click
 from gmpy2 import mpq
 
 from bern_exact import __version__
-from bern_exact.api import NotInThisVersion, Result, triangulate
+from bern_exact.api import Result, triangulate
 from bern_exact.boundary.merge import Objective
 from bern_exact.checkers.findings import LemmaViolation
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
@@ -180,7 +180,7 @@ def triangulate_command(
                 as_printed=as_printed,
                 observer=progress,
             )
-        except (NotInThisVersion, RefusedOption, TooManyTriangles) as error:
+        except (RefusedOption, TooManyTriangles) as error:
             raise click.UsageError(str(error)) from None
         except LemmaViolation as violation:
             if tracer:

@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from bern_exact.boundary.records import BoundaryMesh, Diced, Lopped, MergedMesh, Traced, Warped
+from bern_exact.convex.block_records import Blocks, Reduced
+from bern_exact.convex.records import Bounced, Gridded
 from bern_exact.interior.records import Rectilinear, Swept
 from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.theorems.assemble import Assembled
@@ -88,6 +90,41 @@ def _tiled(record: Tiled) -> dict[str, int]:
     }
 
 
+def _bounced(record: Bounced) -> dict[str, int]:
+    return {
+        "verticals": len(record.verticals),
+        "subdivisions": len(record.first),
+        "half_steps": len(record.steps),
+        "turned": sum(step.stays is None for step in record.steps),
+        "closed_paths": len(record.closed),
+        "bits": record.bits,
+    }
+
+
+def _gridded(record: Gridded) -> dict[str, int]:
+    return {
+        "columns": len(record.cells.low),
+        "rows": len(record.cells.ys) - 1,
+        "cells": record.cells.number,
+        "rim_triangles": sum(len(leg.triangles) for leg in record.legs),
+        "baseline_triangles": 2 * record.cells.number
+        + sum(len(leg.triangles) for leg in record.legs),
+    }
+
+
+def _blocks(record: Blocks) -> dict[str, int]:
+    return {"blocks": len(record.blocks)}
+
+
+def _reduced(record: Reduced) -> dict[str, int]:
+    nodes = [node for block in record.blocks for node in block.nodes]
+    return {
+        "nodes": len(nodes),
+        "removed": sum(len(node.removed) for node in nodes),
+        "triangles": record.number,
+    }
+
+
 def _mesh(record: Assembled) -> dict[str, int]:
     return {"vertices": len(record.mesh.vertices), "triangles": len(record.mesh.triangles)}
 
@@ -107,6 +144,10 @@ _COUNTS: dict[type, Callable[[Any], dict[str, int]]] = {
     Tiled: _tiled,
     Rectilinear: _interior,
     Swept: _swept,
+    Bounced: _bounced,
+    Gridded: _gridded,
+    Blocks: _blocks,
+    Reduced: _reduced,
     Assembled: _mesh,
     Thinned: _thinned,
 }

@@ -14,7 +14,7 @@ from bern_exact.checkers.findings import Finding
 from bern_exact.exact.numbers import format_rational
 from bern_exact.exact.points import coordinates
 from bern_exact.outputs import write_atomically
-from bern_exact.view.stages import draw_stage
+from bern_exact.view.stages import draw_stage, more_pictures
 
 
 class Trace:
@@ -39,6 +39,8 @@ class Trace:
         picture = draw_stage(name, record)
         if picture is not None:
             self._write(f"{stem}.svg", picture)
+        for suffix, further in more_pictures(name, record):
+            self._write(f"{stem}-{suffix}.svg", further)
         self._names[id(record)] = name
         self._kept.append(record)
 

@@ -30,6 +30,8 @@ from bern_exact.theorems.stages import Construction
 from bern_exact.theorems.theorem_1 import theorem_1
 from bern_exact.theorems.theorem_2 import theorem_2
 from bern_exact.theorems.theorem_3 import theorem_3
+from bern_exact.theorems.theorem_4 import bouncing, theorem_4
+from tests.convex.polygons import convex_hull_of, some_convex
 from tests.theorems.families import FAMILIES, some_polygon
 
 
@@ -90,8 +92,9 @@ class Summary:
         """Count one polygon that passed."""
         self.vertices += made.polygon.n
         self.triangles += len(made.assembled.mesh.triangles)
-        warped: Any = made.records["warped"]
-        self.ranks.update(warped.rank)
+        warped: Any = made.records.get("warped")
+        if warped is not None:
+            self.ranks.update(warped.rank)
         for found in made.findings:
             self.claims.setdefault(found.claim, Claim()).add(found, made.polygon.name)
 
@@ -129,6 +132,8 @@ def some_options(theorem: int, random: Random) -> Options:
     """Options drawn by chance, the default ones most often."""
     if theorem == 1:
         return {}
+    if theorem == 4:
+        return {"max_angle": "90", **random.choice(({}, {}, {"baseline": "yes"}))}
     angles = ("150", "150", "150", "149.9", "145", "140", "136", "135.2", "cos:-1:25/34")
     options = {
         "max_angle": random.choice(angles),
@@ -145,6 +150,8 @@ def construct(theorem: int, polygon: Polygon, options: Options) -> Construction:
     """A theorem's construction with every check."""
     if theorem == 1:
         return theorem_1(polygon)
+    if theorem == 4:
+        return (bouncing if "baseline" in options else theorem_4)(polygon)
     given: dict[str, Any] = {**options, "max_angle": parse_angle_bound(options["max_angle"])}
     return theorem_2(polygon, **given) if theorem == 2 else theorem_3(polygon, **given)
 
@@ -165,6 +172,16 @@ def without_holes(polygon: Polygon) -> Polygon:
     return Polygon(polygon.points[: len(outer)], (outer,), polygon.name)
 
 
+def draw(kind: str, seed: int, theorem: int) -> Polygon:
+    """A polygon of a family that the theorem is for."""
+    if theorem == 4 and seed % 2:
+        return some_convex(Random(f"{kind} {seed}"))
+    polygon = some_polygon(kind, seed)
+    if theorem == 4:
+        return convex_hull_of(polygon)
+    return without_holes(polygon) if theorem == 2 else polygon
+
+
 def run(seconds: int, seed: int, kinds: list[str], theorem: int = 1) -> Summary:
     """Draw and try polygons until the time is over."""
     summary = Summary()
@@ -173,9 +190,7 @@ def run(seconds: int, seed: int, kinds: list[str], theorem: int = 1) -> Summary:
         for kind in kinds:
             if time.monotonic() > end:
                 return summary
-            polygon = some_polygon(kind, number_)
-            if theorem == 2:
-                polygon = without_holes(polygon)
+            polygon = draw(kind, number_, theorem)
             options = some_options(theorem, Random(f"options {number_}"))
             summary.polygons[kind] += 1
             try:
@@ -201,7 +216,7 @@ def failure(kind: str, seed: int, polygon: Polygon, error: Exception) -> dict[st
 def main() -> int:
     """Run a campaign from the command line."""
     parser = argparse.ArgumentParser(description="Hunt for polygons that break a theorem.")
-    parser.add_argument("--theorem", type=int, choices=(1, 2, 3), default=1)
+    parser.add_argument("--theorem", type=int, choices=(1, 2, 3, 4), default=1)
     parser.add_argument("--seconds", type=int, default=600)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--family", action="append", choices=FAMILIES, help="only this one")

@@ -134,8 +134,8 @@ def test_json_is_not_written_under_another_formats_name(
     assert not target.exists()
 
 
-def test_theorem_4_is_still_to_come(triangle: str) -> None:
-    assert main(["triangulate", triangle, "--theorem", "4"]) == 2
+def test_theorem_4_is_for_convex_polygons(triangle: str) -> None:
+    assert main(["triangulate", triangle, "--theorem", "4"]) == 0
 
 
 def test_without_a_theorem_it_is_2_and_with_holes_3(

@@ -121,7 +121,7 @@ def test_a_baseline_too_large_is_wrong_usage(
         ["--theorem", "3", "--interior", "cellar"],
         ["--objective", "beauty"],
         ["--baseline", "--squares"],
-        ["--theorem", "4"],
+        ["--theorem", "4", "--max-angle", "140"],
     ],
 )
 def test_options_that_do_not_go_together(

@@ -41,6 +41,12 @@ LAYERS = (
 # (module, what it imports) -> why.
 EXCEPTIONS = {("bern_exact.plane.polygon", "bern_exact.formats"): "Polygon.load, inside the method"}
 
+# The modules of `convex` that hold records and build nothing.
+CONVEX_RECORDS = {"records", "cells", "block_records"}
+
+# Modules of records, which checkers may read.
+RECORDS = ("records", "block_records", "cells")
+
 MODULES = modules()
 by_name = pytest.mark.parametrize("module", MODULES, ids=lambda m: m.path)
 
@@ -99,7 +105,9 @@ def test_the_lone_judge_imports_the_standard_library_only() -> None:
 )
 def test_checkers_and_judges_import_records_and_no_builder(module: Module) -> None:
     for target, name in imports(module.tree):
-        if target.startswith(("bern_exact.boundary", "bern_exact.interior")):
-            assert target.endswith(".records"), f"imports {target}"
+        if target.startswith(("bern_exact.boundary", "bern_exact.interior", "bern_exact.convex")):
+            assert target.rpartition(".")[2] in RECORDS, f"imports {target}"
+        if target.startswith("bern_exact.convex"):
+            assert target.rpartition(".")[2] in CONVEX_RECORDS, f"imports {target}"
         if target == "bern_exact.plane.feature_size" and module.path != "oracle/api.py":
             assert name == "FeatureSize", "a checker computes feature sizes by itself"

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import lru_cache
 
-from gmpy2 import isqrt, mpq, mpz
+from gmpy2 import iroot, isqrt, mpq, mpz
 
 from bern_exact.exact.angles import Angle
 from bern_exact.exact.numbers import MAX_EXPONENT
@@ -82,6 +82,32 @@ def sqrt_bounds(q: mpq, bits: int) -> tuple[mpq, mpq]:
     p = bits + 1 - _magnitude(q) // 2
     m = isqrt(_down(q, 2 * p))
     return _unscaled(m, p), _unscaled(m + 1, p)
+
+
+@lru_cache(maxsize=1 << 14)
+def power_bounds(base: int, exponent: mpq, bits: int) -> tuple[mpq, mpq]:
+    """Rationals at most 2^-bits apart around base^exponent, equal if it is such a fraction.
+
+    Parameters
+    ----------
+    base : int
+        At least 0.
+    exponent : mpq
+        Positive, of small terms: p/q takes the integer q-th root of base^p 2^(q bits).
+
+    Raises
+    ------
+    ValueError
+        The base is negative or the exponent is not positive.
+
+    >>> power_bounds(8, mpq(2, 3), 4), power_bounds(2, mpq(1, 2), 4)
+    ((mpq(4,1), mpq(4,1)), (mpq(11,8), mpq(23,16)))
+    """
+    if base < 0 or exponent <= 0:
+        raise ValueError("a power of a natural number with a positive exponent is wanted")
+    degree = int(exponent.denominator)
+    root, exact = iroot((mpz(base) ** int(exponent.numerator)) << (degree * bits), degree)
+    return _unscaled(root, bits), _unscaled(root if exact else root + 1, bits)
 
 
 def _alternating(

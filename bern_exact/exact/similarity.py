@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from gmpy2 import gcd, mpq, mpz
+from gmpy2 import gcd, is_square, isqrt, mpq, mpz
 
 from bern_exact.exact.points import HPoint, reduced
 
@@ -85,3 +85,18 @@ class Similarity:
     def squared_scale(self) -> mpq:
         """The factor by which squared lengths grow."""
         return mpq(self.a * self.a + self.b * self.b, self.d * self.d)
+
+    @property
+    def rotation_part(self) -> tuple[mpq, mpq] | None:
+        """Cosine and sine of the rotation, or None if they are irrational.
+
+        >>> Similarity.of((mpq(3), mpq(4)), (mpq(0), mpq(0))).rotation_part
+        (mpq(3,5), mpq(4,5))
+        >>> Similarity.of((mpq(1), mpq(1)), (mpq(0), mpq(0))).rotation_part is None
+        True
+        """
+        squared = self.a * self.a + self.b * self.b
+        if not is_square(squared):
+            return None
+        length = isqrt(squared)
+        return mpq(self.a, length), mpq(self.b, length)

@@ -20,11 +20,12 @@ Place = tuple[int | mpq, int | mpq]
 Tagged = tuple[int, tuple[Node, Node, Node]]
 """(class, triangle): the class as an index into `CLASSES`."""
 
-CLASSES = ("block", "boundary", "merged", "interior", "rectangle", "fan")
+CLASSES = ("block", "boundary", "merged", "interior", "rectangle", "fan", "cell", "rim")
 """What a triangle comes from: a face of a block, another touched face, a merged face, Q swept or
-cut into rectangles, a lopped corner."""
+cut into rectangles, a lopped corner; of a convex polygon the grid's cells, or a right triangle
+along the boundary."""
 
-BLOCK, BOUNDARY, MERGED, INTERIOR, RECTANGLE, FAN = range(len(CLASSES))
+BLOCK, BOUNDARY, MERGED, INTERIOR, RECTANGLE, FAN, CELL, RIM = range(len(CLASSES))
 
 
 @dataclass(frozen=True)

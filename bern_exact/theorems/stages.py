@@ -8,6 +8,7 @@ from typing import Literal, Protocol
 
 from bern_exact.boundary.records import Framed
 from bern_exact.checkers.findings import Finding, demand
+from bern_exact.convex.records import ConvexFrame
 from bern_exact.plane.feature_size import FeatureSize
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import Assembled
@@ -43,8 +44,8 @@ class Construction:
         P.
     feature : FeatureSize
         Definition 1 for P.
-    framed : Framed
-        The grid: its unit and rotation.
+    framed : Framed or ConvexFrame
+        The grid: its unit and rotation; of Theorem 4 the frame of the diameter.
     assembled : Assembled
         The mesh, and where each triangle comes from.
     records : mapping
@@ -55,7 +56,7 @@ class Construction:
 
     polygon: Polygon
     feature: FeatureSize
-    framed: Framed
+    framed: Framed | ConvexFrame
     assembled: Assembled
     records: Mapping[str, object]
     findings: Sequence[Finding]
@@ -96,7 +97,11 @@ class Log:
         return self.check == "every-stage"
 
     def construction(
-        self, polygon: Polygon, feature: FeatureSize, framed: Framed, assembled: Assembled
+        self,
+        polygon: Polygon,
+        feature: FeatureSize,
+        framed: Framed | ConvexFrame,
+        assembled: Assembled,
     ) -> Construction:
         """The run's result."""
         return Construction(polygon, feature, framed, assembled, self.records, self.findings)

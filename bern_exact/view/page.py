@@ -19,7 +19,17 @@ COLOURS = {
     "merged": ("#f6efc9", "#bfae55"),
     "block": ("#f3cda5", "#bf7f45"),
     "fan": ("#d5e8d0", "#7fa876"),
+    "cell": ("#e9eef8", "#a9b7d6"),
+    "rim": ("#f8e8c4", "#c9a657"),
     "mesh": ("#eef3f6", "#b6c5cf"),
+    "bounced": ("none", "#b3261e"),
+    "closed": ("none", "#1d7a3e"),
+    "halved": ("#f3cda5", "#bf7f45"),
+    "removed": ("none", "#b3261e"),
+    "strip": ("#f8e8c4", "#c9a657"),
+    "outer": ("#d5e8d0", "#7fa876"),
+    "halfway": ("#cfe3ea", "#6f9fb0"),
+    "between": ("#e6dcf1", "#9d86bd"),
 }
 """Fill and stroke of each class of triangles."""
 
@@ -30,7 +40,17 @@ LABELS = {
     "merged": "merged along an edge (Lemma 5)",
     "block": "faces round a vertex (Lemma 2)",
     "fan": "lopped corners (Lemma 1)",
+    "cell": "inside: rectangles (Section 5)",
+    "rim": "along the boundary (Lemma 9)",
     "mesh": "triangles",
+    "bounced": "bounced paths (Figure 9)",
+    "closed": "closed paths",
+    "halved": "where a line ends (Lemma 10)",
+    "removed": "lines removed (Lemma 11)",
+    "strip": "strips l and r, t and b",
+    "outer": "outer parts, all lines",
+    "halfway": "outer parts, half the columns",
+    "between": "between l and r, fewer lines",
 }
 
 MARGIN = 28
@@ -40,7 +60,15 @@ INSET = 250
 LEGEND_LINE = 24
 CAPTION = 58
 
-STROKES = {"outline": 1100, "line": 500, "markA": 1600, "markB": 1600}
+STROKES = {
+    "outline": 1100,
+    "line": 500,
+    "removed": 500,
+    "bounced": 700,
+    "closed": 700,
+    "markA": 1600,
+    "markB": 1600,
+}
 """Stroke widths in 1/1000 pixel, of paths; 350 for all others.
 
 `vector-effect` would keep strokes thin at any zoom, but not every viewer knows it.

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
 
 from gmpy2 import mpq
 
@@ -21,29 +20,19 @@ from bern_exact.boundary.records import (
     Node,
     Traced,
 )
+from bern_exact.convex.block_records import Blocks, Reduced
+from bern_exact.convex.records import Bounced, ConvexFrame, Gridded
 from bern_exact.exact.points import HPoint, grid_point, hpoint
 from bern_exact.interior.records import Rectilinear, Swept
 from bern_exact.interior.subdivided.records import Partition, Tiled
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import CLASSES, Assembled
+from bern_exact.view.blocks import merged_layers, part_layers, reduced_layers
+from bern_exact.view.bounced import bounced_layers, frame_layers, grid_layers
 from bern_exact.view.canvas import DETAIL, Plane, Window, path_data
+from bern_exact.view.layers import OPEN, Layer
 from bern_exact.view.page import COLOURS, Page
 from bern_exact.view.svg import MAIN, MANY
-
-
-class Layer(NamedTuple):
-    """Rings or open lines drawn alike.
-
-    Parameters
-    ----------
-    style : str
-        A class of triangles, "outline" or "line".
-    rings : sequence of sequences of HPoint
-        What is drawn.
-    """
-
-    style: str
-    rings: Sequence[Sequence[HPoint]]
 
 
 def draw_stage(name: str, record: object) -> str | None:
@@ -62,6 +51,13 @@ def draw_stage(name: str, record: object) -> str | None:
     return draw_layers(name, [layer for layer in layers_of(record) if layer.rings])
 
 
+def more_pictures(name: str, record: object) -> Iterator[tuple[str, str]]:
+    """The further pictures of a stage record: what to add to the file's name, and the picture."""
+    for suffix, layers_of in _MORE.get(type(record), {}).items():
+        layers = [layer for layer in layers_of(record) if layer.rings]
+        yield suffix, draw_layers(f"{name}, {suffix}", layers)
+
+
 def draw_layers(title: str, layers: Sequence[Layer]) -> str:
     """An SVG of layers, the first at the bottom; they must hold at least one point."""
     points = [p for layer in layers for ring in layer.rings for p in ring]
@@ -71,7 +67,7 @@ def draw_layers(title: str, layers: Sequence[Layer]) -> str:
     page = Page(window, [layer.style for layer in layers if layer.style in COLOURS], 0)
     page.heading(title, "")
     drawn = [
-        (style, path_data(window, map(plane.all, rings), closed=style != "line"))
+        (style, path_data(window, map(plane.all, rings), closed=style not in OPEN))
         for style, rings in layers
     ]
     page.whole([(style, data) for style, data in drawn if data])
@@ -207,4 +203,12 @@ _PAINTERS: dict[type, Callable[..., list[Layer]]] = {
     Rectilinear: _region,
     Swept: _swept,
     Assembled: _assembled,
+    ConvexFrame: frame_layers,
+    Bounced: bounced_layers,
+    Gridded: grid_layers,
+    Blocks: merged_layers,
+    Reduced: reduced_layers,
 }
+
+_MORE: dict[type, dict[str, Callable[..., list[Layer]]]] = {Reduced: {"parts": part_layers}}
+"""Further pictures of a record, by what is added to the file's name."""

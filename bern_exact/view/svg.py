@@ -13,7 +13,25 @@ from bern_exact.plane.polygon import Polygon
 from bern_exact.view.canvas import DETAIL, PLANE_BITS, XY, Plane, Window, path_data
 from bern_exact.view.page import INSET, Page, Path
 
-CLASSES = ("interior", "rectangle", "boundary", "merged", "block", "fan", "mesh")
+CLASSES = (
+    "interior",
+    "rectangle",
+    "cell",
+    "boundary",
+    "merged",
+    "block",
+    "fan",
+    "rim",
+    "mesh",
+    "bounced",
+    "closed",
+    "halved",
+    "removed",
+    "strip",
+    "outer",
+    "halfway",
+    "between",
+)
 """The classes of triangles that have a colour, in the order of drawing."""
 
 MAIN = (880, 820)

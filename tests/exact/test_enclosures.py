@@ -19,6 +19,7 @@ from bern_exact.exact.enclosures import (
     degrees_bounds,
     degrees_enclosure,
     pi_bounds,
+    power_bounds,
     sqrt_bounds,
     sqrt_enclosure,
 )
@@ -216,3 +217,20 @@ def test_short_decimals_are_kept(q: mpq) -> None:
 def test_no_digits_are_refused() -> None:
     with pytest.raises(ValueError, match="at least one digit"):
         sqrt_enclosure(mpq(2), 0)
+
+
+@given(st.integers(0, 10**6), st.integers(1, 40), st.integers(1, 40), st.integers(0, 40))
+def test_powers_lie_between_their_bounds(base: int, over: int, under: int, bits: int) -> None:
+    low, high = power_bounds(base, mpq(over, under), bits)
+    exponent = mpq(over, under)
+    power = mpq(base) ** int(exponent.numerator)
+    degree = int(exponent.denominator)
+    assert low**degree <= power <= high**degree
+    assert high - low <= mpq(1, 2**bits)
+    assert (low == high) == (low**degree == power)
+
+
+@pytest.mark.parametrize(("base", "exponent"), [(-1, mpq(1)), (2, mpq(0)), (2, mpq(-1))])
+def test_other_powers_are_refused(base: int, exponent: mpq) -> None:
+    with pytest.raises(ValueError, match="natural"):
+        power_bounds(base, exponent, 8)

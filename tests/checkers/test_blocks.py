@@ -1,0 +1,308 @@
+"""The checkers of Section 5.1 hold on what is built, and notice every damage."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+
+import pytest
+from gmpy2 import mpq
+from hypothesis import given, settings
+
+from bern_exact.checkers import bounds_convex
+from bern_exact.checkers.findings import Finding, demand
+from bern_exact.checkers.lemma_10 import check_lemma_10, check_lemma_10_as_printed
+from bern_exact.checkers.lemma_11 import check_lemma_11, check_lemma_11_as_printed
+from bern_exact.checkers.lemma_12 import check_lemma_12
+from bern_exact.checkers.merged_cells import boundary_edges, check_merged_cells
+from bern_exact.checkers.printed_recursion import check_lemma_12_as_printed
+from bern_exact.convex.block_records import SPLIT, Block, Blocks, Reduced
+from bern_exact.convex.cells import Cells
+from bern_exact.convex.merge import merge, outline
+from bern_exact.convex.reduction import reduce_blocks
+from tests.convex.samples import disc, lines, rectangle, rectangles, staircases
+from tests.convex.worst_case import worst_cases
+
+UNIFORM = reduce_blocks(rectangle([mpq(1)] * 9, [mpq(1)] * 8))
+"""One block with a split at its root, and lines removed."""
+
+WIDE = reduce_blocks(
+    rectangle([mpq(i % 3, 4) + 1 for i in range(12)], [mpq(i % 5, 3) + 1 for i in range(11)])
+)
+"""One block with outer parts."""
+
+
+def every(reduced: Reduced) -> list[Finding]:
+    return [
+        *check_merged_cells(reduced.merged),
+        *check_lemma_10(reduced),
+        *check_lemma_11(reduced),
+        *check_lemma_12(reduced),
+    ]
+
+
+def failing(reduced: Reduced) -> set[str]:
+    return {f.claim for f in every(reduced) if not f.holds}
+
+
+def root_with(reduced: Reduced, **changes: object) -> Reduced:
+    """The record with its last node changed."""
+    (block,) = reduced.blocks
+    nodes = (*block.nodes[:-1], block.nodes[-1]._replace(**changes))
+    return replace(reduced, blocks=(block._replace(nodes=nodes),))
+
+
+def with_triangles(reduced: Reduced, triangles: tuple[object, ...]) -> Reduced:
+    (block,) = reduced.blocks
+    return replace(reduced, blocks=(block._replace(triangles=triangles),))
+
+
+def with_cells(reduced: Reduced, cells: Cells) -> Reduced:
+    return replace(reduced, merged=replace(reduced.merged, cells=cells))
+
+
+@given(rectangles())
+def test_every_claim_holds_on_a_rectangle(blocks: Blocks) -> None:
+    demand(every(reduce_blocks(blocks)))
+
+
+@settings(max_examples=50)
+@given(staircases())
+def test_every_claim_holds_on_a_region(cells: Cells) -> None:
+    demand(every(reduce_blocks(merge(cells))))
+
+
+def test_every_claim_holds_with_many_lines() -> None:
+    demand(every(reduce_blocks(merge(disc(300)))))
+
+
+@settings(max_examples=30)
+@given(staircases())
+def test_the_boundary_is_counted(cells: Cells) -> None:
+    assert boundary_edges(cells) == outline(cells).edges
+
+
+@pytest.mark.parametrize("reduced", [UNIFORM, WIDE])
+def test_the_samples_are_what_they_should_be(reduced: Reduced) -> None:
+    assert not failing(reduced)
+    root = reduced.blocks[0].nodes[-1]
+    assert root.level == SPLIT
+    assert root.first < root.last
+    assert root.removed
+
+
+# Damage to the blocks ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "blocks",
+    [(), (Block(0, 9, 0, 7),), (Block(0, 9, 0, 8), Block(3, 4, 2, 3)), (Block(0, 10, 0, 8),)],
+)
+def test_cells_in_no_block_or_in_two(blocks: tuple[Block, ...]) -> None:
+    damaged = Blocks(UNIFORM.merged.cells, blocks)
+    assert "lemma-6.cover" in {f.claim for f in check_merged_cells(damaged) if not f.holds}
+
+
+def test_too_many_small_blocks() -> None:
+    side = 80
+    cells = rectangle([mpq(1)] * side, [mpq(1)] * side).cells
+    single = tuple(Block(j, j + 1, i, i + 1) for j, i in product(range(side), repeat=2))
+    (cover, vertices) = check_merged_cells(Blocks(cells, single))
+    assert (cover.holds, vertices.holds) == (True, False)
+
+
+def test_another_list_of_blocks() -> None:
+    damaged = replace(UNIFORM, blocks=())
+    assert failing(damaged) == {"lemma-12.tiling"}
+
+
+# Damage to the triangles -------------------------------------------------------------
+
+
+def test_a_missing_triangle() -> None:
+    damaged = with_triangles(UNIFORM, UNIFORM.triangles[1:])
+    assert failing(damaged) == {"lemma-12.tiling", "lemma-12.count"}
+
+
+def test_a_triangle_twice() -> None:
+    damaged = with_triangles(UNIFORM, (*UNIFORM.triangles, UNIFORM.triangles[0]))
+    assert {"lemma-12.tiling", "lemma-12.count"} <= failing(damaged)
+
+
+def test_a_clockwise_triangle() -> None:
+    first, *rest = UNIFORM.triangles
+    damaged = with_triangles(UNIFORM, (first[::-1], *rest))
+    assert failing(damaged) == {"lemma-12.tiling"}
+
+
+def test_a_triangle_without_an_upright_side() -> None:
+    damaged = with_triangles(UNIFORM, (((0, 0), (2, 1), (1, 2)), *UNIFORM.triangles[1:]))
+    assert failing(damaged) >= {"lemma-12.tiling", "lemma-12.angle"}
+
+
+def test_a_vertex_on_a_side_that_is_not_used() -> None:
+    """Two triangles on a side become one: its vertex is left out."""
+    blocks = rectangle([mpq(1), mpq(1)], [mpq(1)])
+    reduced = reduce_blocks(blocks)
+    larger = (((0, 0), (2, 0), (2, 1)), ((0, 0), (2, 1), (0, 1)))
+    assert "lemma-12.tiling" in failing(with_triangles(reduced, larger))
+
+
+def test_an_obtuse_triangle() -> None:
+    """The rows apart, what had right angles at the subdivisions gets obtuse ones."""
+    cells = replace(UNIFORM.merged.cells, ys=lines([mpq(11, 10)] * 8))
+    damaged = with_cells(UNIFORM, cells)
+    assert {"lemma-10.removed", "lemma-12.angle", "lemma-11.most"} <= failing(damaged)
+
+
+def test_more_triangles_than_two_a_cell() -> None:
+    damaged = with_triangles(UNIFORM, UNIFORM.triangles * 5)
+    assert {"lemma-12.cells", "lemma-12.power"} <= failing(damaged)
+
+
+# Damage to the recursion -------------------------------------------------------------
+
+
+def test_a_removed_line_too_few() -> None:
+    removed = UNIFORM.blocks[0].nodes[-1].removed[1:]
+    assert failing(root_with(UNIFORM, removed=removed)) >= {
+        "lemma-11.most",
+        "lemma-12.parts",
+        "lemma-12.count",
+    }
+
+
+def test_no_removed_line() -> None:
+    assert failing(root_with(UNIFORM, removed=())) >= {
+        "lemma-11.most",
+        "lemma-11.lines",
+        "lemma-11.any-epsilon",
+        "lemma-11.medians",
+    }
+
+
+def test_no_removed_line_in_an_outer_part() -> None:
+    columns = [mpq(1, 9)] * 4 + [mpq(3)] * 3 + [mpq(1, 9)] * 2
+    reduced = reduce_blocks(rectangle(columns, [mpq(1)] * 9))
+    assert not failing(reduced)
+    (block,) = reduced.blocks
+    outer = block.nodes[-1].parts[0]
+    nodes = list(block.nodes)
+    nodes[outer] = nodes[outer]._replace(removed=())
+    damaged = replace(reduced, blocks=(block._replace(nodes=tuple(nodes)),))
+    assert {"lemma-11.outer", "lemma-11.most", "lemma-12.parts"} <= failing(damaged)
+
+
+@pytest.mark.parametrize("removed", [(1, 2), (0,), (8,), (3, 1)])
+def test_lines_that_cannot_go_together(removed: tuple[int, ...]) -> None:
+    assert "lemma-11.alone" in failing(root_with(UNIFORM, removed=removed))
+
+
+@pytest.mark.parametrize(("first", "last"), [(1, 8), (0, 7), (3, 3), (0, 1)])
+def test_other_strips(first: int, last: int) -> None:
+    claims = failing(root_with(UNIFORM, first=first, last=last))
+    assert "lemma-12.parts" in claims
+
+
+def test_strips_that_are_not_the_outermost() -> None:
+    """All parts right, but between the wrong strips: of narrow ones l may be any."""
+    narrow, wide = mpq(1, 2), mpq(5)
+    reduced = reduce_blocks(rectangle([narrow, wide, wide, wide], [mpq(1)] * 2))
+    cells = replace(reduced.merged.cells, xs=lines([wide, narrow, wide, wide]))
+    assert "lemma-12.medians" in failing(with_cells(reduced, cells))
+
+
+def test_strips_too_close_to_each_other() -> None:
+    claims = failing(root_with(UNIFORM, first=0, last=1))
+    assert {"lemma-12.separation", "lemma-12.medians"} <= claims
+
+
+@pytest.mark.parametrize("triangles", [0, 1000])
+def test_a_wrong_count(triangles: int) -> None:
+    claims = failing(root_with(UNIFORM, triangles=triangles))
+    assert "lemma-12.count" in claims
+    assert ("lemma-12.recurrence" in claims) == (triangles > 0)
+
+
+def test_no_recursion_at_all() -> None:
+    (block,) = UNIFORM.blocks
+    damaged = replace(UNIFORM, blocks=(block._replace(nodes=()),))
+    assert failing(damaged) == {"lemma-12.count"}
+
+
+@pytest.mark.parametrize("parts", [(-1, -1, -1), (0, 0, 0), (99, 1, 2)])
+def test_parts_that_are_not_its_own(parts: tuple[int, int, int]) -> None:
+    assert {"lemma-12.parts", "lemma-12.count"} <= failing(root_with(UNIFORM, parts=parts))
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_condition_of_lemma_10_is_looked_at_both_ways(
+    sign: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of the lines one, between rows 9 and 8 high, cannot end at a column 5 wide."""
+    rows = [mpq(1), mpq(9), mpq(8), *[mpq(1)] * 6]
+    reduced = reduce_blocks(rectangle([mpq(5)] * 4, rows))
+    assert not failing(reduced)
+    monkeypatch.setattr("bern_exact.checkers.lemma_10.dot_at_subdivision", lambda *_: sign)
+    claims = failing(reduced)
+    assert "lemma-10.iff" in claims
+    assert ("lemma-10.sufficient" in claims) == (sign < 0)
+
+
+# The printed sentences -----------------------------------------------------------------
+
+
+def printed(reduced: Reduced) -> dict[str, bool]:
+    found = (
+        *check_lemma_10_as_printed(reduced),
+        *check_lemma_11_as_printed(reduced),
+        *check_lemma_12_as_printed(reduced),
+    )
+    assert all(f.role == "as-printed" for f in found)
+    return {f.claim: f.holds for f in found}
+
+
+def test_as_printed_a_uniform_grid_could_not_be_reduced() -> None:
+    assert not printed(UNIFORM)["lemma-10.printed-width"]
+
+
+def test_as_printed_two_strips_would_have_few_triangles() -> None:
+    assert not printed(UNIFORM)["lemma-12.printed-strips"]
+
+
+def test_as_printed_a_sixth_of_the_rows_goes() -> None:
+    """Of 7 columns two are too wide and protect all lines but one: 1 goes, which is 6/6."""
+    columns = [mpq(w) for w in (1, 4, 1, 1, 1, 4, 1)]
+    reduced = reduce_blocks(rectangle(columns, [mpq(4), mpq(1)]))
+    assert not failing(reduced)
+    assert not printed(reduced)["lemma-11.printed-sixth"]
+
+
+def test_as_printed_a_third_of_the_columns_lies_between() -> None:
+    columns = [mpq(1, 9)] * 4 + [mpq(9)] * 2
+    assert not printed(reduce_blocks(rectangle(columns, [mpq(1)] * 6)))[
+        "lemma-12.printed-separation"
+    ]
+
+
+def test_as_printed_all_parts_are_flat() -> None:
+    """3 rows and 4 columns, split by rows: a part of 2 rows is left with 1 column."""
+    columns = [mpq(w) for w in (2, 4, 1, 1)]
+    reduced = reduce_blocks(rectangle(columns, [mpq(4), mpq(1), mpq(1)]))
+    assert reduced.blocks[0].nodes[-1].turned
+    assert not printed(reduced)["lemma-12.printed-aspect"]
+
+
+# The constants -------------------------------------------------------------------------
+
+
+def test_two_triangles_a_cell_are_within_the_powers_up_to_406() -> None:
+    for rows, columns in ((1, 1), (406, 406), (1, 406), (4, 10**6), (10**9, 3)):
+        bound = bounds_convex.POWER_CONSTANT * bounds_convex.power_sum(columns, rows)
+        assert bounds_convex.grid_triangles(columns, rows) <= bound
+
+
+def test_the_worst_recursion_is_within_the_powers() -> None:
+    for (columns, rows), count in worst_cases(30).items():
+        bound = bounds_convex.power_sum(columns, rows)
+        assert count <= mpq(8, 5) * bound
