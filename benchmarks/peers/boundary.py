@@ -1,4 +1,4 @@
-"""How far a mesh's boundary vertices lie off the polygon's edges, exactly."""
+"""A mesh's own boundary, and how far its vertices lie off the polygon's edges, exactly."""
 
 from __future__ import annotations
 
@@ -11,48 +11,65 @@ from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
 
 
-class Off(NamedTuple):
-    """How many boundary vertices lie on the edge that they are meant for, and how far off."""
+class Followed(NamedTuple):
+    """A mesh's boundary, followed along the polygon's edges.
 
-    vertices: int
-    worst_squared: mpq
+    Parameters
+    ----------
+    rings : list of list of HPoint
+        For each ring of the polygon the mesh's own, with the vertices that it has in addition.
+    off : int
+        How many of those lie off the edge that they are meant for.
+    off_squared : mpq
+        The largest distance of one of them from its edge's line, squared.
+    """
+
+    rings: list[list[HPoint]]
+    off: int
+    off_squared: mpq
 
 
-def off_the_edges(mesh: Mesh, polygon: Polygon) -> Off | None:
-    """The boundary vertices off their edges: those between two of the polygon's vertices.
+def followed(mesh: Mesh, polygon: Polygon) -> Followed | None:
+    """Follow a mesh's boundary from vertex to vertex of the polygon.
 
     Parameters
     ----------
     mesh : Mesh
-        Any; its boundary is followed from vertex to vertex of the polygon.
+        Any.
     polygon : Polygon
         What it should triangulate.
 
     Returns
     -------
-    Off or None
-        None if the boundary does not run once along every edge of the polygon.
+    Followed or None
+        None if the boundary does not run once along every edge of the polygon, from its tail to
+        its head.
 
     Notes
     -----
-    Linear.  Distances are from the edges' lines.
+    Linear.
     """
     ahead = _boundary(mesh)
     if ahead is None:
         return None
     corners = set(polygon.points)
-    count, worst = 0, mpq(0)
-    for tail, head in polygon.edges():
-        p, q = polygon.points[tail], polygon.points[head]
-        vertex = ahead.pop(p, None)
-        while vertex is not None and vertex not in corners:
-            squared = _squared_distance(vertex, p, q)
-            if squared:
-                count, worst = count + 1, max(worst, squared)
-            vertex = ahead.pop(vertex, None)
-        if vertex != q:
-            return None
-    return None if ahead else Off(count, worst)
+    rings, off, worst = [], 0, mpq(0)
+    for indices in polygon.rings:
+        ring: list[HPoint] = []
+        for tail in indices:
+            p, q = polygon.points[tail], polygon.points[polygon.after[tail]]
+            ring.append(p)
+            vertex = ahead.pop(p, None)
+            while vertex is not None and vertex not in corners:
+                ring.append(vertex)
+                squared = _squared_distance(vertex, p, q)
+                if squared:
+                    off, worst = off + 1, max(worst, squared)
+                vertex = ahead.pop(vertex, None)
+            if vertex != q:
+                return None
+        rings.append(ring)
+    return None if ahead else Followed(rings, off, worst)
 
 
 def _boundary(mesh: Mesh) -> dict[HPoint, HPoint] | None:

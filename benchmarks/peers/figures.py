@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gmpy2 import mpq
 
-from benchmarks.peers.judging import FOLLOWING, Judged
+from benchmarks.peers.judging import OFF, Judged
 from benchmarks.peers.runs import Record
 from bern_exact.exact.angles import ANGLE_150, Angle
 from bern_exact.exact.enclosures import degrees_enclosure, sqrt_enclosure
@@ -90,9 +90,4 @@ def standing(judged: Judged) -> str:
     if judged.valid:
         return "exact"
     off = f"{judged.off:,} off" if judged.off else ""
-    if judged.is_valid_but_for_rounding:
-        return off
-    kinds = [kind for kind in judged.defects if kind != "boundary-vertex-off-edge"]
-    if judged.off is not None:
-        kinds = [kind for kind in kinds if kind not in FOLLOWING]
-    return ", ".join(filter(None, [off, *kinds]))
+    return ", ".join(filter(None, [off, *(kind for kind in judged.defects if kind != OFF)]))

@@ -9,19 +9,27 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from benchmarks.peers.boundary import off_the_edges
+from benchmarks.peers.boundary import Followed, followed
 from bern_exact.exact.angles import Angle
+from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import parse_rational
-from bern_exact.oracle.api import verify_with_feature_size
+from bern_exact.oracle.fast import verify_mesh
+from bern_exact.plane.feature_size import feature_size
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
+from bern_exact.plane.validation import polygon_from_rings
 
 LISTED = 200
 """How many defects the judge lists."""
 
+OFF = "boundary-vertex-off-edge"
+
+ROUNDING = mpq(1, 10**6)
+"""No farther off its edge, to the feature size, is a vertex that is off by rounding."""
+
 BOUNDARY = frozenset(
     (
-        "boundary-vertex-off-edge",
+        OFF,
         "polygon-vertex-missing",
         "hanging-vertex",
         "crossing-edges",
@@ -33,9 +41,6 @@ BOUNDARY = frozenset(
 )
 """Kinds of defects that say that the mesh's boundary is not the polygon's."""
 
-FOLLOWING = frozenset(("triangle-outside", "hole-filled", "region-not-covered"))
-"""Kinds that every vertex off its edge brings with it."""
-
 
 @dataclass(frozen=True)
 class Judged:
@@ -46,7 +51,9 @@ class Judged:
     triangles, vertices : int
         How many there are.
     defects : mapping
-        Kind -> how many the judge listed, `LISTED` in all at most; none if the mesh is valid.
+        Kind -> how many; none if the mesh is valid.  `boundary-vertex-off-edge` are all that there
+        are; if a boundary can be followed, the others are those of the mesh as a triangulation
+        of what its own boundary encloses; at most `LISTED` are listed.
     max_angle : Angle or None
         The largest angle; None if no triangle has an area.
     min_height_squared : mpq or None
@@ -82,10 +89,9 @@ class Judged:
 
     @property
     def is_valid_but_for_rounding(self) -> bool:
-        """Is nothing wrong but that vertices on the boundary lie off their edges?"""
-        return self.off is not None and self.defects.keys() <= FOLLOWING | {
-            "boundary-vertex-off-edge"
-        }
+        """Is nothing wrong but that vertices on the boundary lie off their edges by rounding?"""
+        near = self.off_squared <= ROUNDING**2 * self.feature_squared
+        return self.off is not None and self.defects.keys() <= {OFF} and near
 
     @property
     def height_ratio_squared(self) -> mpq | None:
@@ -125,16 +131,34 @@ class Judged:
 
 
 def judged(mesh: Mesh, polygon: Polygon) -> Judged:
-    """Measure a mesh against the polygon that its maker was given; an invalid one too."""
-    verdict = verify_with_feature_size(mesh, polygon, limit=LISTED)
-    off = off_the_edges(mesh, polygon)
+    """Measure a mesh against the polygon that its maker was given; an invalid one too.
+
+    A mesh with boundary vertices off their edges is judged as a triangulation of what its own
+    boundary encloses; the distances say how far that is from the polygon.
+    """
+    found = followed(mesh, polygon)
+    target, defects = polygon, Counter[str]()
+    if found is not None and found.off:
+        target = _enclosed(found) or polygon
+        if target is not polygon:
+            defects[OFF] = found.off
+    verdict = verify_mesh(mesh, target, limit=LISTED)
+    defects.update(defect.kind for defect in verdict.defects)
     return Judged(
         triangles=verdict.triangles,
         vertices=verdict.vertices,
-        defects=dict(sorted(Counter(defect.kind for defect in verdict.defects).items())),
+        defects=dict(sorted(defects.items())),
         max_angle=verdict.max_angle,
         min_height_squared=verdict.min_height_squared,
-        feature_squared=verdict.feature_size_squared or mpq(0),
-        off=None if off is None else off.vertices,
-        off_squared=mpq(0) if off is None else off.worst_squared,
+        feature_squared=feature_size(polygon).squared,
+        off=None if found is None else found.off,
+        off_squared=mpq(0) if found is None else found.off_squared,
     )
+
+
+def _enclosed(found: Followed) -> Polygon | None:
+    """What a mesh's own boundary encloses, if that is a polygon."""
+    try:
+        return polygon_from_rings(found.rings)
+    except InputError:
+        return None

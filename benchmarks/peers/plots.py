@@ -36,7 +36,8 @@ def growth_plot(records: Sequence[Record], meshers: Sequence[Mesher], path: Path
         panel.set(title=title, xlabel=label, ylabel="triangles", xscale="log", yscale="log")
         panel.grid(True, which="major", linewidth=0.4, alpha=0.6)
     axes[0].legend(fontsize=8, loc="upper left")
-    figure.text(0.5, 0.01, "a cross: no mesh within the cap", ha="center", fontsize=8)
+    note = "a cross: no mesh within the cap; Gmsh bounds no angle"
+    figure.text(0.5, 0.01, note, ha="center", fontsize=8)
     figure.tight_layout(rect=(0, 0.03, 1, 1))
     figure.savefig(path, metadata={"Software": None})
     pyplot.close(figure)

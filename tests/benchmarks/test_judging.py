@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import pytest
 from gmpy2 import mpq
 
-from benchmarks.peers.boundary import off_the_edges
+from benchmarks.peers.boundary import followed
 from benchmarks.peers.figures import standing
 from benchmarks.peers.floats import mesh_of_floats
 from benchmarks.peers.judging import Judged, judged
@@ -49,6 +49,30 @@ def test_a_vertex_off_its_edge_by_rounding_is_told_and_measured() -> None:
     assert found.off_squared == 9 * error**2 / 10
 
 
+def test_a_vertex_far_off_its_edge_is_no_rounding() -> None:
+    points = [*TILTED, (1.0, 0.25)]
+    found = measured(points, [(0, 4, 3), (4, 1, 2), (4, 2, 3)], TILTED)
+    assert found.defects == {"boundary-vertex-off-edge": 1}
+    assert not found.is_valid_but_for_rounding
+    assert found.keeps_boundary is False
+
+
+def test_what_else_is_wrong_is_told_besides_a_vertex_off_its_edge() -> None:
+    points = [*TILTED, (1.0, THIRD), (9.0, 9.0)]
+    found = measured(points, [(0, 4, 3), (4, 1, 2), (4, 2, 3)], TILTED)
+    assert found.defects == {"boundary-vertex-off-edge": 1, "unused-vertex": 1}
+    assert not found.is_valid_but_for_rounding
+    assert standing(found) == "1 off, unused-vertex"
+
+
+def test_a_boundary_that_crosses_itself_is_judged_against_the_polygon() -> None:
+    points = [*TILTED, (0.75, 0.25), (0.5, 2.0), (1.0, 1 / 3)]
+    rounds = [(0, 6, 5), (6, 4, 5), (4, 1, 5), (1, 2, 5), (2, 3, 5), (3, 0, 5)]
+    found = measured(points, rounds, TILTED)
+    assert found.off == 1
+    assert not found.is_valid_but_for_rounding
+
+
 def test_a_vertex_on_its_edge_is_not_off() -> None:
     found = measured([*SQUARE, (0.5, 0.0)], [(0, 4, 3), (4, 1, 2), (4, 2, 3)], SQUARE)
     assert found.valid
@@ -86,13 +110,13 @@ def test_no_mesh_at_all_has_no_figures() -> None:
 
 def test_a_boundary_vertex_that_is_missing_cannot_be_followed() -> None:
     mesh = mesh_of_floats(SQUARE[:3], [(0, 1, 2)])
-    assert off_the_edges(mesh, polygon_of(SQUARE)) is None
+    assert followed(mesh, polygon_of(SQUARE)) is None
 
 
 def test_two_boundaries_at_one_vertex_cannot_be_followed() -> None:
     points = [*SQUARE, (0.5, 0.5)]
     mesh = mesh_of_floats(points, [(0, 1, 4), (2, 3, 4)])
-    assert off_the_edges(mesh, polygon_of(SQUARE)) is None
+    assert followed(mesh, polygon_of(SQUARE)) is None
 
 
 def test_a_filled_hole_is_no_rounding() -> None:
