@@ -20,7 +20,6 @@ from benchmarks.results import machine, write_section
 TITLE = "Peers, side by side"
 RESULTS = ROOT / "benchmarks" / "RESULTS.md"
 PLOT = ROOT / "docs" / "peers_growth.png"
-PICTURE = ROOT / "docs" / "peers_{}.png"
 SHOWN = ("us_county_51015_augusta", "mdi_puzzle")
 
 
@@ -83,7 +82,9 @@ def collected(options: argparse.Namespace, limits: Limits) -> str:
     text = report(records, meshers, limits)
     if options.write:
         growth_plot(records, meshers, PLOT)
-        text = f"![Triangles against A and n](../docs/{PLOT.name})\n\n{text}"
+        images = [f"![Triangles against A and n](../docs/{PLOT.name})"]
+        images += [f"![{name}](../docs/{picture_of(name).name})" for name in SHOWN]
+        text = "\n\n".join([*images, text])
     return f"{machine()} {versions}.\n\n{text}\n"
 
 
@@ -105,12 +106,17 @@ def main() -> None:
             _draw(name, limits)
 
 
+def picture_of(name: str) -> Path:
+    """Where a polygon's picture is."""
+    return ROOT / "docs" / f"peers_{name.replace(' ', '_')}.png"
+
+
 def _draw(name: str, limits: Limits) -> None:
     """Draw one polygon's meshes."""
     case = next((case for case in shapes.every_case() if case.name == name), None)
     if case is None:
         raise SystemExit(f"no polygon {name!r}")
-    target = Path(str(PICTURE).format(name.replace(" ", "_")))
+    target = picture_of(name)
     picture(case, target, limits)
     tell(f"drew {target.relative_to(ROOT)}")
 

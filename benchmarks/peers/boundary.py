@@ -79,8 +79,8 @@ def _boundary(mesh: Mesh) -> dict[HPoint, HPoint] | None:
     }
     size = len(mesh.vertices)
     ahead: dict[HPoint, HPoint] = {}
-    for a, b in sorted(directed):
-        if (b, a) not in directed and 0 <= a < size and 0 <= b < size:
+    for a, b in sorted((a, b) for a, b in directed if (b, a) not in directed):
+        if 0 <= a < size and 0 <= b < size:
             if mesh.vertices[a] in ahead:
                 return None
             ahead[mesh.vertices[a]] = mesh.vertices[b]

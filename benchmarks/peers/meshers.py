@@ -66,8 +66,15 @@ class Mesher:
 
 
 OURS = (
-    Mesher("raw", "ours raw", "benchmarks.peers.with_ours:raw", setting="Theorem 2 or 3's mesh"),
-    Mesher("thin", "ours thinned", "benchmarks.peers.with_ours:thin", setting="with `--thin`"),
+    Mesher(
+        "raw",
+        "ours raw",
+        "benchmarks.peers.with_ours:raw",
+        setting="Theorem 2's mesh, or 3's if there are holes",
+    ),
+    Mesher(
+        "thin", "ours thinned", "benchmarks.peers.with_ours:thin", setting="the same with `--thin`"
+    ),
 )
 """Judged; their time is without checks."""
 
@@ -83,28 +90,28 @@ PEERS = (
         "Triangle -pq15",
         "benchmarks.peers.with_triangle:pq15",
         "triangle:triangle",
-        "no angle below 15 degrees, so none above 150",
+        "asked for no angle below 15 degrees, which would mean none above 150",
     ),
     Mesher(
         "triangle-20",
         "Triangle -pq20",
         "benchmarks.peers.with_triangle:pq20",
         "triangle:triangle",
-        "no angle below 20 degrees, so none above 140",
+        "asked for no angle below 20 degrees, which would mean none above 140",
     ),
     Mesher(
         "cgal-15",
         "CGAL 15",
         "benchmarks.peers.with_cgal:least_15",
         "cgal:CGAL.CGAL_Mesh_2",
-        "`refine_Delaunay_mesh_2` with aspect bound sin^2 15 degrees, so no angle above 150",
+        "`refine_Delaunay_mesh_2` with aspect bound sin^2 15 degrees, which asks for the same",
     ),
     Mesher(
         "cgal-20",
         "CGAL 20.7",
         "benchmarks.peers.with_cgal:least_20",
         "cgal:CGAL.CGAL_Mesh_2",
-        "the same with its default, 1/8: no angle below 20.7, so none above 138.6",
+        "with its default, 1/8, for no angle below 20.7, which would mean none above 138.6",
     ),
     Mesher(
         "gmsh-coarse",
