@@ -18,7 +18,15 @@ from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.facts import facts_of
-from bern_exact.formats import read_mesh_file
+from bern_exact.formats import (
+    MESH_FORMATS,
+    POLYGON_FORMATS,
+    cgshop,
+    format_of_mesh,
+    read_instance_file,
+    read_mesh_file,
+    safe_json,
+)
 from bern_exact.interior.subdivided.choice import Method
 from bern_exact.interior.sweep import TooManyTriangles
 from bern_exact.oracle.api import verify_with_feature_size
@@ -70,6 +78,12 @@ numbers_option = click.option(
     help="Read a decimal as exactly that, or as the double nearest to it.",
 )
 json_option = click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout.")
+from_option = click.option(
+    "--from",
+    "source_format",
+    type=click.Choice(list(POLYGON_FORMATS)),
+    help="The format of POLYGON, whatever its suffix.",
+)
 output_option = click.option("-o", "--output", type=TARGET, help="Write the result to a file.")
 svg_option = click.option("--svg", type=TARGET, help="Draw the mesh.")
 
@@ -134,6 +148,13 @@ def cli() -> None:
     type=click.Path(path_type=Path, file_okay=False),
     help="Write every stage's record and picture to a directory.",
 )
+@click.option(
+    "--to",
+    "target_format",
+    type=click.Choice(MESH_FORMATS),
+    help="The format of -o, whatever its suffix; .solution.json is cgshop.",
+)
+@from_option
 @output_option
 @svg_option
 @numbers_option
@@ -151,6 +172,8 @@ def triangulate_command(
     check: Check,
     as_printed: bool,
     trace: Path | None,
+    source_format: str | None,
+    target_format: str | None,
     output: Path | None,
     svg: Path | None,
     numbers: str,
@@ -160,7 +183,12 @@ def triangulate_command(
 
     The mesh goes to stdout or the file of -o; with -o, stdout gets a summary.
     """
-    shape = Polygon.load(polygon, numbers=numbers)
+    shape = Polygon.load(polygon, numbers=numbers, format=source_format)
+    instance = None
+    if (target_format or (output and format_of_mesh(output))) == "cgshop":
+        instance = _instance(read_instance_file(polygon, format=source_format), shape, output)
+        if instance.made and output and _beside(output).resolve() == polygon.resolve():
+            raise click.UsageError(f"the instance would be written over '{polygon}'")
     tracer = Trace(trace) if trace else None
     with Progress(STAGES) as progress:
         if tracer:
@@ -190,16 +218,53 @@ def triangulate_command(
         write_atomically(svg, draw_triangulation(result.mesh, result.polygon, result.classes))
     if result.certificate.claims:
         print_claims(result.certificate.claims)
-    _hand_over(result, output, as_json)
+    _hand_over(result, output, as_json, instance)
     return 0
 
 
-def _hand_over(result: Result, output: Path | None, as_json: bool) -> None:
+def _instance(
+    read: cgshop.Instance | None, polygon: Polygon, output: Path | None
+) -> cgshop.Instance:
+    """The CG:SHOP instance to be solved: the one that was read, or one made of the polygon."""
+    if output is None:
+        raise click.UsageError("--to cgshop needs -o FILE")
+    return read or cgshop.instance_of(polygon, output.name.partition(".")[0])
+
+
+def _beside(output: Path) -> Path:
+    """Where the instance of a solution is written."""
+    stem = output.name.removesuffix(".json").removesuffix(".solution")
+    return output.with_name(f"{stem}.instance.json")
+
+
+def _write_solution(result: Result, output: Path, instance: cgshop.Instance) -> None:
+    """The solution, and the instance if there was none."""
+    solution = cgshop.solution_document(result.mesh, instance)
+    write_atomically(output, safe_json.dumps(solution))
+    if not instance.made:
+        return
+    path = _beside(output)
+    write_atomically(path, safe_json.dumps(cgshop.instance_document(instance)))
+    click.echo(f"its instance, coordinates times {instance.scale}: {path}", err=True)
+    if instance.bits > cgshop.VERIFIER_BITS:
+        click.echo(
+            f"coordinates have up to {instance.bits} bits: the contest's verifier rounds them to "
+            "doubles",
+            err=True,
+        )
+
+
+def _hand_over(
+    result: Result, output: Path | None, as_json: bool, instance: cgshop.Instance | None
+) -> None:
     """The mesh to its file and a summary to stdout, or the mesh itself to stdout."""
     if output is None:
         emit(result.document)
         return
-    write_atomically(output, result.document)
+    if instance is not None:
+        _write_solution(result, output, instance)
+    else:
+        write_atomically(output, result.document)
     if as_json:
         emit_json({"output": str(output), "certificate": result.certificate.to_json()})
     else:
@@ -272,12 +337,15 @@ def _draw_if_possible(svg: Path, mesh: Mesh, polygon: Polygon | None) -> None:
 
 @cli.command("facts")
 @click.argument("polygon", type=SOURCE)
+@from_option
 @output_option
 @numbers_option
 @json_option
-def facts_command(polygon: Path, output: Path | None, numbers: str, as_json: bool) -> int:
+def facts_command(
+    polygon: Path, source_format: str | None, output: Path | None, numbers: str, as_json: bool
+) -> int:
     """The exact sizes of POLYGON, and the bound that they put on any triangulation."""
-    facts = facts_of(Polygon.load(polygon, numbers=numbers))
+    facts = facts_of(Polygon.load(polygon, numbers=numbers, format=source_format))
     if output:
         emit_json(facts.to_json(), output)
     if as_json:

@@ -44,7 +44,9 @@ class Polygon:
     name: str = field(default="", compare=False)
 
     @staticmethod
-    def load(path: str | PathLike[str], *, numbers: str = "decimal") -> Polygon:
+    def load(
+        path: str | PathLike[str], *, numbers: str = "decimal", format: str | None = None
+    ) -> Polygon:
         """The polygon in a file, read and validated exactly.
 
         Parameters
@@ -53,6 +55,8 @@ class Polygon:
             The format follows its suffix.
         numbers : {"decimal", "binary64"}
             Read a decimal as exactly that, or as the double nearest to it.
+        format : {"json", "cgshop"}, optional
+            Whatever the suffix and the file say.
 
         Raises
         ------
@@ -66,7 +70,7 @@ class Polygon:
 
         if numbers not in ("decimal", "binary64"):
             raise InputError("unsupported", f"numbers {numbers!r}: decimal or binary64")
-        return read_polygon_file(path, binary64=numbers == "binary64")
+        return read_polygon_file(path, binary64=numbers == "binary64", format=format)
 
     @property
     def n(self) -> int:
