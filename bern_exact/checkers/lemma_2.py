@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.records import Node, WarpedFace
+from bern_exact.boundary.records import BlockShape, Node, WarpedFace
 from bern_exact.checkers import bounds
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
@@ -14,6 +14,13 @@ from bern_exact.checkers.places import Places, cotangents, squared_height, squar
 from bern_exact.checkers.rings import NearBoundary, places_of
 
 STAGE = "boundary"
+
+BLOCK_ANGLE: dict[BlockShape, str] = {
+    "square": "no angle in a block is above 135 degrees, with the repaired choice of corner "
+    "(least cotangent)",
+    "corner": "no angle in a block is above 135 degrees + arctan(2 tau), the bound of Theorems 2 "
+    "and 3: blocks of four squares are experimental (least cotangent)",
+}
 
 NodeTriangle = tuple[Node, Node, Node]
 
@@ -45,6 +52,7 @@ def check_lemma_2(mesh: NearBoundary, *, tau: mpq = bounds.TAU) -> list[Finding]
             least.offer(*squared_height(places[p], places[q], places[r]), (number, (p, q, r)))
     describe = places.describe
     least_height = bounds.boundary_height_squared(tau)
+    shape = mesh.warped.traced.diced.framed.blocks
     return [
         untiled.finding(
             "lemma-2.tiles",
@@ -55,9 +63,8 @@ def check_lemma_2(mesh: NearBoundary, *, tau: mpq = bounds.TAU) -> list[Finding]
         largest.finding(
             "lemma-2.block-angle",
             STAGE,
-            "no angle in a block is above 135 degrees, with the repaired choice of corner "
-            "(least cotangent)",
-            bounds.BLOCK_COTANGENT,
+            BLOCK_ANGLE[shape],
+            bounds.block_cotangent(shape, tau),
             describe=describe,
         ),
         shortest.finding(

@@ -9,6 +9,7 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.records import Framed
 from bern_exact.checkers import bounds
+from bern_exact.checkers.bounds_grid import intervals_a_vertex
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.places import squared_height
@@ -65,13 +66,16 @@ def check_theorem_1(
     most.offer(len(mesh.triangles), 1, {"n": polygon.n})
     valid.case(verdict.valid, {"defects": len(verdict.defects)})
     least = least_height(mesh)
+    shape = framed.blocks
+    constant = bounds.theorem_1_triangles(2, shape) // 2
     return [
         most.finding(
             "theorem-1.count",
             STAGE,
-            "the mesh has at most C n triangles, C = 4850 from the parts (16 intervals a vertex "
+            f"the mesh has at most C n triangles, C = {constant} from the parts "
+            f"({intervals_a_vertex(shape)} intervals a vertex "
             "of P', at most 2 n vertices of P', Lemma 3)",
-            bounds.theorem_1_triangles(polygon.n),
+            bounds.theorem_1_triangles(polygon.n, shape),
         ),
         least.finding(
             "theorem-1.grid-height",
@@ -82,9 +86,9 @@ def check_theorem_1(
         relative(least, feature.squared).finding(
             "theorem-1.height",
             STAGE,
-            "the least height is at least tau s/(24 sqrt(2)) up to the rounding of cuts and grid "
-            "unit, s being an upper bound for every triangulation ((height/s)^2)",
-            bounds.theorem_1_height_squared(tau),
+            f"the least height is at least tau s/({3 * framed.factor} sqrt(2)) up to the rounding "
+            "of cuts and grid unit, s being an upper bound for every triangulation ((height/s)^2)",
+            bounds.theorem_1_height_squared(tau, framed.factor),
         ),
         valid.finding(
             "theorem-1.valid", STAGE, "the mesh is a triangulation of P, as the judge finds"
