@@ -217,7 +217,7 @@ def triangulate(
 
 
 def _factor(written: mpq | str | int | None) -> mpq | None:
-    return parse_rational(str(written)) if isinstance(written, str | int) else written
+    return written if written is None or isinstance(written, mpq) else parse_rational(str(written))
 
 
 def _angle_bound(written: str | int) -> AngleBound:

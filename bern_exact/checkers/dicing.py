@@ -79,10 +79,8 @@ def _check_unit(framed: Framed) -> list[Finding]:
     """(8 b/s')^2, if the factor is 8, is at most 1, and not much less."""
     ratio = framed.factor**2 * framed.unit**2 / framed.feature.squared
     above, below, factor = Extreme(greatest=True), Extreme(), framed.factor
-    part, square = (
-        (f"s'/({factor})" if factor.denominator > 1 else f"s'/{factor}"),
-        f"({factor} b/s')^2",
-    )
+    part = f"s'/{factor}" if factor.denominator == 1 else f"s'/({factor})"
+    square = f"({factor} b/s')^2"
     for extreme in (above, below):
         extreme.offer(ratio.numerator, ratio.denominator, {"unit": str(framed.unit)})
     return [

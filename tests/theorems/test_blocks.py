@@ -13,6 +13,7 @@ from bern_exact.exact.errors import InputError
 from bern_exact.theorems.grid import LEAST_SQUARED, grid_for
 from bern_exact.theorems.stages import RefusedOption
 from bern_exact.theorems.theorem_1 import theorem_1
+from tests.boundary.test_blocks import WIDE
 from tests.theorems.families import some_polygon
 from tests.theorems.judged import proved, proved_without_large_angles
 
@@ -114,6 +115,18 @@ def test_the_least_factor_is_decided_exactly(blocks: BlockShape) -> None:
 def test_what_does_not_go_together(theorem: int, options: dict[str, Any], said: str) -> None:
     with pytest.raises(RefusedOption, match=said):
         triangulate(some_polygon("triangle", 1), theorem=theorem, **options)
+
+
+@pytest.mark.parametrize("written", ["9/2", "4.50", 4.5, mpq(9, 2)])
+def test_a_factor_is_exact_however_it_is_written(written: Any) -> None:
+    made = triangulate(some_polygon("triangle", 1), blocks="corner", factor=written, check="none")
+    factor = made.certificate.factor
+    assert factor == mpq(9, 2) and isinstance(factor, mpq)
+
+
+def test_given_up_135_degrees_are_counted() -> None:
+    made = triangulate(some_polygon(*WIDE), theorem=1, blocks="corner", check="none")
+    assert made.certificate.counts["warped"]["blocks_above_135"] == 1
 
 
 def test_a_factor_that_is_no_number() -> None:
