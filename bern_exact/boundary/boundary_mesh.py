@@ -8,14 +8,13 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
 from bern_exact.boundary.blocks import block_at
-from bern_exact.boundary.corners import TAU
+from bern_exact.boundary.corners import TAU, block_demands
 from bern_exact.boundary.faces import Tracer
 from bern_exact.boundary.optimal import (
     HIGHEST,
     HIGHEST_WITHIN_135,
     Demand,
     best_triangulation,
-    largest_kappa,
 )
 from bern_exact.boundary.records import BoundaryMesh, Face, GridNode, Node, Warped, WarpedFace
 from bern_exact.boundary.warp import Warping
@@ -53,26 +52,19 @@ def triangulate_boundary(warped: Warped, warping: Warping, tracer: Tracer) -> Bo
         for ring in warping.rings(face.ring):
             nodes = tuple(node for node, _ in ring)
             points = [point for _, point in ring]
-            demands = (*block_demands(warped, TAU), HIGHEST) if face.block >= 0 else (HIGHEST,)
+            demands = (*wanted_in_blocks(warped, TAU), HIGHEST) if face.block >= 0 else (HIGHEST,)
             triangles = triangulated(nodes, points, demands)
             faces.append(WarpedFace(nodes, face.block, source, triangles))
     return BoundaryMesh(warped, tuple(touched), tuple(faces))
 
 
-def block_demands(warped: Warped, tau: mpq) -> tuple[Demand, ...]:
+def wanted_in_blocks(warped: Warped, tau: mpq) -> tuple[Demand, ...]:
     """What the triangles of a block face must keep, in order of preference.
 
-    Square blocks: 135 degrees, by the choice of corner.  Corner blocks have no such choice: 135
-    degrees with the height of Lemma 2; else, with that height, 135 degrees + arctan(2 tau).
+    In square blocks the corner is chosen so that the highest triangles are high enough.
     """
-    if warped.traced.diced.framed.blocks == "square":
-        return (HIGHEST_WITHIN_135,)
-    floor = tau * tau / 2
-    return (
-        Demand(HIGHEST_WITHIN_135.kappa, floor),
-        Demand(largest_kappa(tau), floor),
-        HIGHEST_WITHIN_135,
-    )
+    shape = warped.traced.diced.framed.blocks
+    return (HIGHEST_WITHIN_135,) if shape == "square" else block_demands(shape, tau)
 
 
 def triangulated(

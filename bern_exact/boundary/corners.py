@@ -6,8 +6,8 @@ taken for which every face of the block can be triangulated with all angles
 at most 135 degrees, edges of at least tau and heights of at least tau / sqrt 2.
 
 A block round the nearest corner has its other corners on its rim, where faces of
-no block would be warped with them: there the nearest corner moves, and angles
-of 135 degrees + arctan(2 tau) are allowed if 135 cannot be had.
+no block would be warped with them: there the nearest corner moves, heights of
+tau / 2 suffice, and 135 degrees + arctan(2 tau) if 135 cannot be had.
 """
 
 from __future__ import annotations
@@ -20,13 +20,8 @@ from gmpy2 import mpq
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
 from bern_exact.boundary.blocks import block_at, corner_near, square_of
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import (
-    HIGHEST_WITHIN_135,
-    Demand,
-    best_triangulation,
-    largest_kappa,
-)
-from bern_exact.boundary.records import GridNode, Node, Traced, Warped
+from bern_exact.boundary.optimal import KAPPA_135, Demand, best_triangulation, largest_kappa
+from bern_exact.boundary.records import BlockShape, GridNode, Node, Traced, Warped
 from bern_exact.boundary.warp import Instance, QVertices, Warping
 from bern_exact.exact.points import HPoint, grid_point
 from bern_exact.exact.predicates import is_in_wedge, squared_distance
@@ -37,6 +32,17 @@ TAU = mpq(1, 8)
 # The cell at a grid vertex that lies left of it when it is reached by a heading, as the
 # offset of its lower left corner.
 CELL_OFFSET = {EAST: (-1, 0), NORTH: (-1, -1), WEST: (0, -1), SOUTH: (0, 0)}
+
+
+def block_demands(shape: BlockShape, tau: mpq) -> tuple[Demand, ...]:
+    """What the triangles of a block face must keep, in order of preference.
+
+    Square blocks: 135 degrees and a height of tau/sqrt 2, by the choice of corner.  Corner blocks
+    have no such choice: a height of tau/2, with 135 degrees or 135 degrees + arctan(2 tau).
+    """
+    if shape == "square":
+        return (Demand(KAPPA_135, tau * tau / 2),)
+    return Demand(KAPPA_135, tau * tau / 4), Demand(largest_kappa(tau), tau * tau / 4)
 
 
 @dataclass(frozen=True)
@@ -67,10 +73,7 @@ class CornerRule:
         self.polygon = self.framed.polygon
         self.q = QVertices(traced, tau)
         self.tau_squared = tau * tau
-        floor = self.tau_squared / 2
-        self.demands = [Demand(HIGHEST_WITHIN_135.kappa, floor)]
-        if self.framed.blocks == "corner":
-            self.demands.append(Demand(largest_kappa(tau), floor))
+        self.demands = block_demands(self.framed.blocks, tau)
         self._taken = tracer.taken
         self._block_faces: list[list[int]] = [[] for _ in range(self.polygon.n)]
         for i, face in enumerate(traced.faces):

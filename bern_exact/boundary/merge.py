@@ -13,7 +13,7 @@ from typing import Literal
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.boundary_mesh import block_demands, touched_rectangles, triangulated
+from bern_exact.boundary.boundary_mesh import touched_rectangles, triangulated, wanted_in_blocks
 from bern_exact.boundary.corners import TAU
 from bern_exact.boundary.faces import Tracer
 from bern_exact.boundary.optimal import Demand, largest_kappa
@@ -194,7 +194,7 @@ def merge_boundary(
         if number not in merger.used:
             points = [warping.image(node)[1] for node in nodes]
             block = touched[source].block
-            demands = (*block_demands(warped, tau), *wanted) if block >= 0 else wanted
+            demands = (*wanted_in_blocks(warped, tau), *wanted) if block >= 0 else wanted
             faces.append(WarpedFace(nodes, block, source, triangulated(nodes, points, demands)))
     return MergedMesh(warped, touched, tuple(faces), tuple(projected), tuple(projections))
 

@@ -76,15 +76,6 @@ BLOCK_COTANGENT = mpq(-1)
 """The cotangent of each angle in a block is at least this: at most 135 degrees (Lemma 2)."""
 
 
-def block_cotangent(shape: BlockShape, tau: mpq = TAU) -> mpq:
-    """The cotangent of each angle in a block: 135 degrees, by the choice of corner (Lemma 2).
-
-    A block round the nearest corner has no other to choose: only the bound of Theorems 2 and 3,
-    135 degrees + arctan(2 tau), is promised.
-    """
-    return BLOCK_COTANGENT if shape == "square" else boundary_cotangent(tau)
-
-
 def boundary_height_squared(tau: mpq = TAU) -> mpq:
     """The least squared height of a boundary triangle, (tau/sqrt 2)^2 (Lemma 2, repaired).
 
@@ -202,17 +193,20 @@ def theorem_1_triangles(n: int, shape: BlockShape = "square") -> int:
     )
 
 
-def theorem_1_height_squared(tau: mpq = TAU, factor: mpq = FACTOR) -> mpq:
+def theorem_1_height_squared(
+    tau: mpq = TAU, factor: mpq = FACTOR, shape: BlockShape = "square"
+) -> mpq:
     """The least (height/s)^2 of Theorem 1: about 1/271.5^2 for the default tau and factor.
 
-    Every part has height at least tau b/sqrt 2: Lemma 2 near the boundary, 1/sqrt 2
-    inside (Lemma 3).  A lopped corner's fan triangle has a base of at least tau b
-    with an angle of 45 to 90 degrees at one end of the base's line: its height is
-    at least tau b sin 45, or the corner's own.  And b >= s'/factor, s' >= s/3, each up
-    to its rounding.
+    Every part has height at least tau b/sqrt 2: Lemma 2 near the boundary (tau b/2
+    in blocks round a corner), 1/sqrt 2 inside (Lemma 3).  A lopped corner's fan
+    triangle has a base of at least tau b with an angle of 45 to 90 degrees at one end
+    of the base's line: its height is at least tau b sin 45, or the corner's own.  And
+    b >= s'/factor, s' >= s/3, each up to its rounding.
     """
     rounding = CUT_ROUNDING * UNIT_ROUNDING
-    return boundary_height_squared(tau) * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2
+    least = boundary_height_squared(tau) if shape == "square" else merged_height_squared(tau)
+    return least * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2
 
 
 # Section 3, Lemma 5 ---------------------------------------------------------------

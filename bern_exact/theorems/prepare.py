@@ -10,7 +10,7 @@ from bern_exact.boundary.blocks import Grid
 from bern_exact.boundary.corners import warp
 from bern_exact.boundary.dice import dice
 from bern_exact.boundary.faces import Tracer, trace
-from bern_exact.boundary.frame import Degenerate, frame
+from bern_exact.boundary.frame import DEFAULT, Degenerate, frame
 from bern_exact.boundary.lop import lop
 from bern_exact.boundary.records import Diced, Framed, Lopped, Warped
 from bern_exact.boundary.warp import Warping
@@ -60,7 +60,7 @@ class Prepared:
         return self.warped.traced.diced.framed
 
 
-def prepare(polygon: Polygon, log: Log, tau: mpq, grid: Grid) -> Prepared:
+def prepare(polygon: Polygon, log: Log, tau: mpq, grid: Grid = DEFAULT) -> Prepared:
     """Lop, frame, dice and warp a polygon, each stage followed by its checks.
 
     Section 2: "The first step of our maxmin-height algorithm is to 'lop off' acute vertices of

@@ -18,13 +18,26 @@ from bern_exact.boundary.records import HORIZONTAL, VERTICAL, BlockShape, Diced,
 from bern_exact.checkers.dicing import blocks
 from bern_exact.exact.points import hpoint
 from bern_exact.plane.polygon import Polygon
+from bern_exact.plane.validation import polygon_from_rings
 from bern_exact.theorems.theorem_1 import theorem_1
 from tests.boundary.naive import box, kept_intervals
 from tests.boundary.samples import every_family
 from tests.theorems.families import FAMILIES, some_polygon
+from tests.theorems.over_the_grid import around, moved_back
 
 WIDE = ("special_frame", 11000006)
 """A pentagon with an angle of 135.37 degrees in a block."""
+
+
+@cache
+def low_block(hair: mpq) -> Polygon:
+    """An edge from v, near (1/2, 1/2), passes the grid vertex (1, 1) by tau: v takes (1, 0)."""
+    v = (mpq(1, 2) + hair, mpq(1, 2) - hair)
+    past = (1 + TAU + hair - v[0], 1 - v[1])
+    corners = around(v, past, (mpq(-2), mpq(-1)))
+    # Drawn for s' = 8 round v: made smaller for s' = 9/2, over the same grid.
+    smaller = [tuple(c + (z - c) * mpq(9, 16) for z, c in zip(p, v, strict=True)) for p in corners]
+    return polygon_from_rings([moved_back([(x, y) for x, y in smaller])])
 
 
 @cache
@@ -113,3 +126,13 @@ def test_the_choice_is_a_function_of_the_record() -> None:
     made = records(some_polygon("threshold", 20))
     again, _ = warp(*trace(made["diced"]))
     assert again == made["warped"]
+
+
+@pytest.mark.parametrize("hair", [mpq(1, 100), mpq(1, 10**6)])
+def test_heights_in_a_block_may_fall_below_tau_over_sqrt_2(hair: mpq) -> None:
+    made = theorem_1(low_block(hair), blocks="corner")
+    warped: Any = made.records["warped"]
+    assert made.framed.unit == 1 and warped.corners[0] == (1, 0)
+    (found,) = (f for f in made.findings if f.claim == "lemma-2.block-height")
+    infimum = TAU**2 / (1 + (1 + 2 * TAU) ** 2)
+    assert TAU**2 / 4 < infimum < mpq(str(found.measured)) < TAU**2 / 2

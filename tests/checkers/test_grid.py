@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from gmpy2 import mpq
 
-from bern_exact.boundary.records import BlockShape
+from bern_exact.boundary.records import BlockShape, BoundaryMesh
 from bern_exact.checkers import bounds
 from bern_exact.checkers.dicing import check_dicing, check_frame
 from bern_exact.checkers.findings import Finding
@@ -22,7 +22,7 @@ from bern_exact.exact.angles import Angle
 from bern_exact.theorems.stages import Construction
 from bern_exact.theorems.theorem_1 import theorem_1
 from bern_exact.theorems.theorem_2 import theorem_2
-from tests.boundary.test_blocks import WIDE
+from tests.boundary.test_blocks import WIDE, low_block
 from tests.checkers.samples import THINGS, replace
 from tests.theorems.families import some_polygon
 
@@ -120,14 +120,24 @@ def test_an_angle_in_a_corner_block_is_too_large_for_a_smaller_tau() -> None:
     assert not stricter.holds and stricter.witness is not None
 
 
-def test_the_same_angle_is_too_large_for_a_square_block() -> None:
-    boundary: Any = theorem_1(some_polygon(*WIDE), blocks="corner").records["boundary"]
+def as_square(boundary: BoundaryMesh) -> BoundaryMesh:
+    """The record says of its blocks that they are square."""
     warped = boundary.warped
     diced = warped.traced.diced
     square = replace(diced, framed=replace(diced.framed, blocks="square"))
-    warped = replace(warped, traced=replace(warped.traced, diced=square))
-    found = pick(check_lemma_2(replace(boundary, warped=warped)), "lemma-2.block-angle")
-    assert not found.holds
+    return replace(boundary, warped=replace(warped, traced=replace(warped.traced, diced=square)))
+
+
+def test_the_same_angle_is_too_large_for_a_square_block() -> None:
+    boundary: Any = theorem_1(some_polygon(*WIDE), blocks="corner").records["boundary"]
+    assert not pick(check_lemma_2(as_square(boundary)), "lemma-2.block-angle").holds
+
+
+def test_a_height_in_a_corner_block_is_too_small_for_a_square_one() -> None:
+    boundary: Any = theorem_1(low_block(mpq(1, 100)), blocks="corner").records["boundary"]
+    assert pick(check_lemma_2(boundary), "lemma-2.block-height").holds
+    assert not pick(check_lemma_2(boundary, tau=mpq(1, 5)), "lemma-2.block-height").holds
+    assert not pick(check_lemma_2(as_square(boundary)), "lemma-2.block-height").holds
 
 
 @pytest.mark.parametrize(("blocks", "factor"), [("square", "6"), ("corner", "9/2")])
@@ -140,7 +150,7 @@ def test_the_height_promised_by_a_coarser_grid(blocks: BlockShape, factor: str) 
         for f in check_theorem_1(run.polygon, run.assembled.mesh, run.framed, run.feature, valid)
         if f.claim == "theorem-1.height"
     )
-    short = bounds.theorem_1_height_squared(factor=mpq(factor)) * mpq(99, 100)
+    short = bounds.theorem_1_height_squared(factor=mpq(factor), shape=blocks) * mpq(99, 100)
     assert short > bounds.theorem_1_height_squared()
     feature = replace(run.feature, squared=run.feature.squared * mpq(str(least.measured)) / short)
     found = check_theorem_1(run.polygon, run.assembled.mesh, run.framed, feature, valid)
