@@ -8,12 +8,15 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, get_args
 
+from gmpy2 import mpq
+
 from bern_exact.boundary.merge import Objective
-from bern_exact.boundary.records import Framed
+from bern_exact.boundary.records import BlockShape, Framed
 from bern_exact.certificate import Certificate, Diameter, extremes
 from bern_exact.convex.records import ConvexFrame
 from bern_exact.counts import stage_counts
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
+from bern_exact.exact.numbers import parse_rational
 from bern_exact.formats import safe_json
 from bern_exact.formats.mesh_json import mesh_document
 from bern_exact.interior.subdivided.choice import Method
@@ -39,9 +42,9 @@ THEOREMS: Mapping[int, Callable[..., Construction]] = {
 """The constructions, by theorem."""
 
 OPTIONS: Mapping[int, Sequence[str]] = {
-    1: (),
-    2: ("max_angle", "objective", "squares"),
-    3: ("max_angle", "objective", "interior"),
+    1: ("blocks", "factor"),
+    2: ("max_angle", "objective", "squares", "blocks", "factor"),
+    3: ("max_angle", "objective", "interior", "blocks", "factor"),
     4: (),
 }
 """The options of each construction."""
@@ -98,6 +101,8 @@ def triangulate(
     interior: Method | None = None,
     objective: Objective | None = None,
     squares: bool = False,
+    blocks: BlockShape | None = None,
+    factor: mpq | str | int | None = None,
     baseline: bool = False,
     thin: bool = False,
     thin_angle: AngleBound | str | int | None = None,
@@ -127,6 +132,13 @@ def triangulate(
         their number (default), the least height or the largest angle.
     squares : bool
         Theorem 2: cut off the paper's unit squares in Lemma 6 instead of whole strips.
+    blocks : {"square", "corner"}, optional
+        Theorems 1 to 3: the paper's blocks of 3 x 3 squares round that of a vertex, the default;
+        or, experimental, the four squares round the grid vertex nearest to it.
+    factor : mpq, str or int, optional
+        Theorems 1 to 3: s' in grid units, above 4 sqrt 2 for square and 3 sqrt 2 for corner
+        blocks.  Anything but 8, the default of square blocks, is experimental; that of corner
+        blocks is 9/2.
     baseline : bool
         The simpler construction that the theorem improves on: all interior rectangles, split
         by diagonals; for Theorem 4 the O(n^2) bouncing algorithm.
@@ -168,6 +180,7 @@ def triangulate(
         ("check", check, Check),
         ("interior", interior, Method),
         ("objective", objective, Objective),
+        ("blocks", blocks, BlockShape),
     ):
         if value is not None and value not in get_args(known):
             raise RefusedOption(f"{name} {value!r}: one of {', '.join(get_args(known))}")
@@ -177,6 +190,8 @@ def triangulate(
         "interior": interior,
         "objective": objective,
         "squares": squares or None,
+        "blocks": blocks,
+        "factor": _factor(factor),
     }
     given = {name: value for name, value in special.items() if value is not None}
     for name in given:
@@ -199,6 +214,10 @@ def triangulate(
         observer=observer,
     )
     return _result(sparse, chosen, result.certificate)
+
+
+def _factor(written: mpq | str | int | None) -> mpq | None:
+    return written if written is None or isinstance(written, mpq) else parse_rational(str(written))
 
 
 def _angle_bound(written: str | int) -> AngleBound:
@@ -226,6 +245,8 @@ def _result(made: Construction, theorem: int, raw: Certificate | None = None) ->
         holes=made.polygon.holes,
         feature_size_squared=made.feature.squared,
         grid_unit=framed.unit if isinstance(framed, Framed) else None,
+        blocks=framed.blocks if isinstance(framed, Framed) else None,
+        factor=framed.factor if isinstance(framed, Framed) else None,
         rotation=framed.similarity.rotation_part,
         diameter=None if isinstance(framed, Framed) else _diameter(framed),
         counts=stage_counts(made.records),

@@ -8,6 +8,7 @@ from typing import Any
 
 from gmpy2 import mpq
 
+from bern_exact.boundary.records import BlockShape
 from bern_exact.checkers.findings import Finding
 from bern_exact.exact.angles import Angle, largest_angle
 from bern_exact.exact.enclosures import degrees_enclosure, sqrt_enclosure
@@ -103,6 +104,10 @@ class Certificate:
         Definition 1 for the polygon, squared.
     grid_unit : mpq or None
         The grid unit b in the input's units, if the construction has a grid.
+    blocks : {"square", "corner"} or None
+        The shape of blocks, likewise; anything but square blocks and factor 8 is experimental.
+    factor : mpq or None
+        The feature size of P' in grid units, at least, likewise.
     rotation : (mpq, mpq) or None
         (cos, sin) of the rotation into the grid's frame, or into Theorem 4's; None if irrational.
     counts : mapping
@@ -124,6 +129,8 @@ class Certificate:
     holes: int
     feature_size_squared: mpq
     grid_unit: mpq | None
+    blocks: BlockShape | None
+    factor: mpq | None
     rotation: tuple[mpq, mpq] | None
     counts: Mapping[str, Mapping[str, int]]
     triangles: int
@@ -164,6 +171,8 @@ class Certificate:
             "feature_size_squared": format_rational(self.feature_size_squared),
             "feature_size": list(sqrt_enclosure(self.feature_size_squared)),
             "grid_unit": None if self.grid_unit is None else format_rational(self.grid_unit),
+            "blocks": self.blocks,
+            "factor": None if self.factor is None else format_rational(self.factor),
             "rotation": None if self.rotation is None else [*map(format_rational, self.rotation)],
             "counts": {stage: dict(counts) for stage, counts in self.counts.items()},
             **self.figures(),

@@ -13,6 +13,7 @@ from gmpy2 import mpq
 from bern_exact import __version__
 from bern_exact.api import Result, triangulate
 from bern_exact.boundary.merge import Objective
+from bern_exact.boundary.records import BlockShape
 from bern_exact.checkers.findings import LemmaViolation
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
@@ -136,6 +137,16 @@ def cli() -> None:
     help="Theorems 2, 3: what faces along the boundary are best at (default: fewest).",
 )
 @click.option("--squares", is_flag=True, help="Theorem 2: the paper's squares in Lemma 6.")
+@click.option(
+    "--blocks",
+    type=click.Choice(["square", "corner"]),
+    help="Theorems 1 to 3: 3 x 3 squares (default), or (experimental) 2 x 2 round a grid vertex.",
+)
+@click.option(
+    "--factor",
+    callback=parsed_by(parse_rational),
+    help="Theorems 1 to 3: s' in grid units, 8 or (experimental) another; corner blocks: 9/2.",
+)
 @click.option("--baseline", is_flag=True, help="The O(n^2) construction that is improved on.")
 @click.option("--thin", is_flag=True, help="Remove every vertex that the guarantees can spare.")
 @click.option(
@@ -166,6 +177,8 @@ def triangulate_command(
     interior: Method | None,
     objective: Objective | None,
     squares: bool,
+    blocks: BlockShape | None,
+    factor: mpq | None,
     baseline: bool,
     thin: bool,
     thin_angle: AngleBound | None,
@@ -201,6 +214,8 @@ def triangulate_command(
                 interior=interior,
                 objective=objective,
                 squares=squares,
+                blocks=blocks,
+                factor=factor,
                 baseline=baseline,
                 thin=thin,
                 thin_angle=thin_angle,

@@ -148,11 +148,14 @@ def some_options(theorem: int, random: Random) -> Options:
 
 def construct(theorem: int, polygon: Polygon, options: Options) -> Construction:
     """A theorem's construction with every check."""
-    if theorem == 1:
-        return theorem_1(polygon)
     if theorem == 4:
         return (bouncing if "baseline" in options else theorem_4)(polygon)
-    given: dict[str, Any] = {**options, "max_angle": parse_angle_bound(options["max_angle"])}
+    given: dict[str, Any] = dict(options)
+    if "factor" in given:
+        given["factor"] = mpq(given["factor"])
+    if theorem == 1:
+        return theorem_1(polygon, **given)
+    given["max_angle"] = parse_angle_bound(options["max_angle"])
     return theorem_2(polygon, **given) if theorem == 2 else theorem_3(polygon, **given)
 
 
@@ -182,8 +185,10 @@ def draw(kind: str, seed: int, theorem: int) -> Polygon:
     return without_holes(polygon) if theorem == 2 else polygon
 
 
-def run(seconds: int, seed: int, kinds: list[str], theorem: int = 1) -> Summary:
-    """Draw and try polygons until the time is over."""
+def run(
+    seconds: int, seed: int, kinds: list[str], theorem: int = 1, grid: Options | None = None
+) -> Summary:
+    """Draw and try polygons until the time is over; `grid` are options that all of them get."""
     summary = Summary()
     end = time.monotonic() + seconds
     for number_ in count(seed * 10**6):
@@ -191,7 +196,7 @@ def run(seconds: int, seed: int, kinds: list[str], theorem: int = 1) -> Summary:
             if time.monotonic() > end:
                 return summary
             polygon = draw(kind, number_, theorem)
-            options = some_options(theorem, Random(f"options {number_}"))
+            options = {**some_options(theorem, Random(f"options {number_}")), **(grid or {})}
             summary.polygons[kind] += 1
             try:
                 summary.add(kind, attempt(theorem, polygon, options))
@@ -220,9 +225,12 @@ def main() -> int:
     parser.add_argument("--seconds", type=int, default=600)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--family", action="append", choices=FAMILIES, help="only this one")
+    parser.add_argument("--blocks", choices=("square", "corner"), help="not for Theorem 4")
+    parser.add_argument("--factor", help="s' in grid units, p/q; not for Theorem 4")
     options = parser.parse_args()
     kinds = options.family or list(FAMILIES)
-    summary = run(options.seconds, options.seed, kinds, options.theorem)
+    grid = {name: getattr(options, name) for name in ("blocks", "factor") if getattr(options, name)}
+    summary = run(options.seconds, options.seed, kinds, options.theorem, grid)
     for line in summary.lines():
         print(line)
     return 1 if summary.failures else 0

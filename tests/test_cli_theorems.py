@@ -149,3 +149,37 @@ def test_the_papers_false_sentences_are_reported(
     assert code == 0
     assert roles["lemma-5.printed-end-height"] == "as-printed"
     assert roles["lemma-5.height"] == "guarantee"
+
+
+@pytest.mark.parametrize("theorem", ["1", "3"])
+def test_corner_blocks(theorem: str, frame: str, capsys: pytest.CaptureFixture[str]) -> None:
+    record = mesh_of(capsys, frame, "--theorem", theorem, "--blocks", "corner")["certificate"]
+    assert (record["blocks"], record["factor"]) == ("corner", "9/2")
+    plain = mesh_of(capsys, frame, "--theorem", theorem, "--factor", "8")["certificate"]
+    assert (plain["blocks"], plain["factor"]) == ("square", "8")
+    assert record["triangles"] < plain["triangles"]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--factor", "5.65"), "square blocks need more than sqrt(32)"),
+        (("--blocks", "corner", "--factor", "4"), "corner blocks need more than sqrt(18)"),
+        (("--factor", "100"), "at most 64"),
+        (("--theorem", "4", "--blocks", "corner"), "blocks is not an option of Theorem 4"),
+        (("--factor", "x"), "Invalid value for '--factor'"),
+        (("--blocks", "round"), "Invalid value for '--blocks'"),
+    ],
+)
+def test_grids_that_are_refused(
+    words: tuple[str, ...], said: str, triangle: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["triangulate", triangle, *words]) == 2
+    assert said in " ".join(capsys.readouterr().err.split())
+
+
+def test_the_help_says_what_is_experimental(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["triangulate", "--help"]) == 0
+    text = " ".join(capsys.readouterr().out.split())
+    for option in ("--blocks", "--factor"):
+        assert "experimental" in text.partition(option)[2].partition(" --")[0]

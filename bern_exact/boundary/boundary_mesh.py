@@ -4,10 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from gmpy2 import mpq
+
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
-from bern_exact.boundary.dice import square_of
+from bern_exact.boundary.blocks import block_at
+from bern_exact.boundary.corners import TAU, block_demands
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import HIGHEST, HIGHEST_WITHIN_135, Demand, best_triangulation
+from bern_exact.boundary.optimal import (
+    HIGHEST,
+    HIGHEST_WITHIN_135,
+    Demand,
+    best_triangulation,
+)
 from bern_exact.boundary.records import BoundaryMesh, Face, GridNode, Node, Warped, WarpedFace
 from bern_exact.boundary.warp import Warping
 from bern_exact.exact.points import HPoint
@@ -44,10 +52,19 @@ def triangulate_boundary(warped: Warped, warping: Warping, tracer: Tracer) -> Bo
         for ring in warping.rings(face.ring):
             nodes = tuple(node for node, _ in ring)
             points = [point for _, point in ring]
-            demands = (HIGHEST_WITHIN_135, HIGHEST) if face.block >= 0 else (HIGHEST,)
+            demands = (*wanted_in_blocks(warped, TAU), HIGHEST) if face.block >= 0 else (HIGHEST,)
             triangles = triangulated(nodes, points, demands)
             faces.append(WarpedFace(nodes, face.block, source, triangles))
     return BoundaryMesh(warped, tuple(touched), tuple(faces))
+
+
+def wanted_in_blocks(warped: Warped, tau: mpq) -> tuple[Demand, ...]:
+    """What the triangles of a block face must keep, in order of preference.
+
+    In square blocks the corner is chosen so that the highest triangles are high enough.
+    """
+    shape = warped.traced.diced.framed.blocks
+    return (HIGHEST_WITHIN_135,) if shape == "square" else block_demands(shape, tau)
 
 
 def triangulated(
@@ -86,7 +103,6 @@ def _block(warped: Warped, ring: tuple[GridNode, ...], target: Node) -> int:
         edge = warped.traced.diced.crossings[target - polygon.n].edge
         ends = [edge, polygon.after[edge]]
     for v in ends:
-        fx, fy = square_of(polygon.points[v])
-        if all(fx - 1 <= x <= fx + 2 and fy - 1 <= y <= fy + 2 for x, y in ring):
+        if all(map(block_at(warped.traced.diced.framed, v).has, ring)):
             return v
     return -1

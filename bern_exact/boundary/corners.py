@@ -4,6 +4,10 @@ The paper takes the closest corner; block faces can then have angles up to
 142.125 degrees.  Here the corners are tried in order of distance, and the first is
 taken for which every face of the block can be triangulated with all angles
 at most 135 degrees, edges of at least tau and heights of at least tau / sqrt 2.
+
+A block round the nearest corner has its other corners on its rim, where faces of
+no block would be warped with them: there the nearest corner moves, heights of
+tau / 2 suffice, and 135 degrees + arctan(2 tau) if 135 cannot be had.
 """
 
 from __future__ import annotations
@@ -14,10 +18,10 @@ from dataclasses import dataclass
 from gmpy2 import mpq
 
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, WEST
-from bern_exact.boundary.dice import square_of
+from bern_exact.boundary.blocks import block_at, corner_near, square_of
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import HIGHEST_WITHIN_135, best_triangulation
-from bern_exact.boundary.records import GridNode, Node, Traced, Warped
+from bern_exact.boundary.optimal import KAPPA_135, Demand, best_triangulation, largest_kappa
+from bern_exact.boundary.records import BlockShape, GridNode, Node, Traced, Warped
 from bern_exact.boundary.warp import Instance, QVertices, Warping
 from bern_exact.exact.points import HPoint, grid_point
 from bern_exact.exact.predicates import is_in_wedge, squared_distance
@@ -28,6 +32,17 @@ TAU = mpq(1, 8)
 # The cell at a grid vertex that lies left of it when it is reached by a heading, as the
 # offset of its lower left corner.
 CELL_OFFSET = {EAST: (-1, 0), NORTH: (-1, -1), WEST: (0, -1), SOUTH: (0, 0)}
+
+
+def block_demands(shape: BlockShape, tau: mpq) -> tuple[Demand, ...]:
+    """What the triangles of a block face must keep, in order of preference.
+
+    Square blocks: 135 degrees and a height of tau/sqrt 2, by the choice of corner.  Corner blocks
+    have no such choice: a height of tau/2, with 135 degrees or 135 degrees + arctan(2 tau).
+    """
+    if shape == "square":
+        return (Demand(KAPPA_135, tau * tau / 2),)
+    return Demand(KAPPA_135, tau * tau / 4), Demand(largest_kappa(tau), tau * tau / 4)
 
 
 @dataclass(frozen=True)
@@ -54,9 +69,11 @@ class CornerRule:
 
     def __init__(self, traced: Traced, tracer: Tracer, tau: mpq) -> None:
         self.traced = traced
-        self.polygon = traced.diced.framed.polygon
+        self.framed = traced.diced.framed
+        self.polygon = self.framed.polygon
         self.q = QVertices(traced, tau)
         self.tau_squared = tau * tau
+        self.demands = block_demands(self.framed.blocks, tau)
         self._taken = tracer.taken
         self._block_faces: list[list[int]] = [[] for _ in range(self.polygon.n)]
         for i, face in enumerate(traced.faces):
@@ -64,20 +81,23 @@ class CornerRule:
                 self._block_faces[face.block].append(i)
 
     def choose(self, v: int) -> tuple[Substep1, int]:
-        """The corner for vertex v and how many closer ones were refused.
+        """The corner for vertex v and how often one was refused, as in `Warped.rank`.
 
-        If no corner will do (never seen), the closest is taken with rank 4, and the checkers of
-        Lemma 2 report the block.
+        If no corner will do (never seen), the closest is taken, and the checkers of Lemma 2
+        report the block.
         """
         candidates = self._candidates(v)
-        for rank, candidate in enumerate(candidates):
-            if self._is_good(v, candidate):
+        tries = [(demand, candidate) for demand in self.demands for candidate in candidates]
+        for rank, (demand, candidate) in enumerate(tries):
+            if self._is_good(v, candidate, demand):
                 return candidate, rank
-        return candidates[0], len(candidates)
+        return candidates[0], len(tries)
 
     def _candidates(self, v: int) -> list[Substep1]:
-        """The four corners by distance, ties lexicographic."""
+        """The four corners by distance, ties lexicographic; of a corner block its centre alone."""
         p = self.polygon.points[v]
+        if self.framed.blocks == "corner":
+            return [self._moves(v, corner_near(p))]
         fx, fy = square_of(p)
         corners = [(fx + i, fy + j) for i in (0, 1) for j in (0, 1)]
         corners.sort(key=lambda c: (squared_distance(p, grid_point(*c)), c))
@@ -94,13 +114,12 @@ class CornerRule:
             {(before, *corner): v, (v, *corner): v},
         )
 
-    def _is_good(self, v: int, candidate: Substep1) -> bool:
+    def _is_good(self, v: int, candidate: Substep1, demand: Demand) -> bool:
         """Does every face of the block keep its bounds with this corner?"""
         for points in self._block_faces_with(v, candidate):
             if self._has_short_edge(points):
                 return False
-            found = best_triangulation(points, HIGHEST_WITHIN_135)
-            if found is None or 2 * found.value < self.tau_squared:
+            if best_triangulation(points, demand) is None:
                 return False
         return True
 
@@ -137,14 +156,14 @@ class CornerRule:
 
     def _touched_cells(self, v: int, nodes: Sequence[GridNode]) -> Iterator[Sequence[Node]]:
         """The cells of the block that have one of these corners and no piece of boundary."""
-        fx, fy = square_of(self.polygon.points[v])
+        block = block_at(self.framed, v)
         seen: set[GridNode] = set()
         for node in nodes:
             for heading, (i, j) in CELL_OFFSET.items():
                 x, y = node[0] + i, node[1] + j
                 if (node, heading) in self._taken or (x, y) in seen:
                     continue
-                if abs(x - fx) <= 1 and abs(y - fy) <= 1:
+                if block.has((x, y)) and block.has((x + 1, y + 1)):
                     seen.add((x, y))
                     yield ((x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1))
 

@@ -3,12 +3,13 @@
 The paper draws the whole grid and erases most of it.  Here only what
 remains is ever made: for each vertex v and each of the eight lines of its
 block, the maximal intervals inside P' that contain a piece of the line
-within the block and the wedge of v, at most 16 a vertex.  Their crossings,
+within the block and the wedge of v, at most 16 a vertex (six lines and 12
+intervals, if the block is that round the nearest corner).  Their crossings,
 Theta(n^2) of them in the worst case, are never listed.
 
-As s' >= 8 > 2 sqrt 2, nothing of the boundary but the two edges at v comes
-into the block on v's sheet: the sheet is the block intersected with the
-wedge, and the paper's Riemann sheets need not be copied anywhere.
+As s' >= 8 > 2 sqrt 2, or > 3 sqrt 2 in every grid allowed, nothing of the
+boundary but the two edges at v comes into the block on v's sheet: the sheet
+is the block intersected with the wedge, and the paper's Riemann sheets need not be copied anywhere.
 """
 
 from __future__ import annotations
@@ -17,16 +18,20 @@ from collections.abc import Sequence
 
 from gmpy2 import f_div, mpq
 
+from bern_exact.boundary.blocks import block_at, block_of
 from bern_exact.boundary.frame import Degenerate
-from bern_exact.boundary.records import HORIZONTAL, VERTICAL, Crossing, Diced, Framed, Interval
+from bern_exact.boundary.records import (
+    HORIZONTAL,
+    VERTICAL,
+    BlockShape,
+    Crossing,
+    Diced,
+    Framed,
+    Interval,
+)
 from bern_exact.exact.points import HPoint, Line, grid_point, reduced
 from bern_exact.exact.predicates import is_in_wedge
 from bern_exact.plane.ray_shooting import edges_around
-
-
-def square_of(p: HPoint) -> tuple[int, int]:
-    """The lower left corner of the grid square of a point."""
-    return int(f_div(p[0], p[2])), int(f_div(p[1], p[2]))
 
 
 def dice(framed: Framed) -> Diced:
@@ -51,27 +56,32 @@ def dice(framed: Framed) -> Diced:
     O(n log n): two sweeps answer all ray-shooting queries.
     """
     polygon = framed.polygon
-    vertical = _intervals(polygon.points, polygon.after, polygon.lines, VERTICAL)
+    shape = framed.blocks
+    vertical = _intervals(polygon.points, polygon.after, polygon.lines, VERTICAL, shape)
     # Swapping x and y turns horizontal lines into vertical ones.
     mirrored = tuple((y, x, w) for x, y, w in polygon.points)
     horizontal = _intervals(
-        mirrored, polygon.after, tuple((b, a, c) for a, b, c in polygon.lines), HORIZONTAL
+        mirrored, polygon.after, tuple((b, a, c) for a, b, c in polygon.lines), HORIZONTAL, shape
     )
     crossings = _crossings(polygon.lines, vertical, horizontal)
-    squares = [square_of(p) for p in polygon.points]
+    blocks = [block_at(framed, v) for v in range(polygon.n)]
     return Diced(
         framed,
         vertical,
         horizontal,
         crossings,
         _order_along_edges(framed, crossings),
-        tuple(sorted({x + i for x, _ in squares for i in (-1, 0, 1, 2)})),
-        tuple(sorted({y + i for _, y in squares for i in (-1, 0, 1, 2)})),
+        tuple(sorted({k for low, high in blocks for k in range(low[0], high[0] + 1)})),
+        tuple(sorted({k for low, high in blocks for k in range(low[1], high[1] + 1)})),
     )
 
 
 def _intervals(
-    points: Sequence[HPoint], after: Sequence[int], lines: Sequence[Line], axis: int
+    points: Sequence[HPoint],
+    after: Sequence[int],
+    lines: Sequence[Line],
+    axis: int,
+    shape: BlockShape,
 ) -> tuple[Interval, ...]:
     """The kept intervals of vertical lines (of horizontal ones, given mirrored points)."""
     seeds: list[tuple[int, int]] = []
@@ -80,7 +90,7 @@ def _intervals(
     for v, w in enumerate(after):
         before[w] = v
     for v in range(len(points)):
-        for line, edge, point in _seeds(points, before, after, lines, v, axis):
+        for line, edge, point in _seeds(points, before, after, lines, v, axis, shape):
             seeds.append((line, edge))
             queries.append(point)
     high_of: dict[tuple[int, int], int] = {}
@@ -112,32 +122,33 @@ def _seeds(
     lines: Sequence[Line],
     v: int,
     axis: int,
+    shape: BlockShape,
 ) -> list[tuple[int, int, HPoint]]:
-    """Points on the pieces of the four vertical block lines in the sheet of v.
+    """Points on the pieces of the vertical block lines in the sheet of v.
 
     Each seed is (line, edge, point): the point where an edge of v crosses the line
     within the block, or with edge -1 a grid point of a piece that no edge crosses.
     """
-    fx, fy = square_of(points[v])
+    low, high = block_of(points[v], shape)
     rays = ((v, after[v]), (before[v], before[v]))  # (edge, its other end)
     seeds = []
-    for k in range(fx - 1, fx + 3):
+    for k in range(low[0], high[0] + 1):
         hits = []
         for edge, end in rays:
             # The edge leaves v towards its other end; it crosses x = k on that side only.
             leftwards = points[end][0] * points[v][2] < points[v][0] * points[end][2]
-            if leftwards != (k <= fx):
+            if leftwards != (k * points[v][2] < points[v][0]):
                 continue
             a, b, c = lines[edge]
             y = reduced(b * k, -(a * k + c), b)
             if y[1] % y[2] == 0:
                 raise Degenerate("an edge passes through a grid point")
-            if fy - 1 <= f_div(y[1], y[2]) <= fy + 1:
+            if low[1] <= f_div(y[1], y[2]) < high[1]:
                 hits.append((k, edge, y))
         if hits:
             seeds += hits
             continue
-        node = grid_point(k, fy)
+        node = grid_point(k, low[1] + 1)
         ends = (points[before[v]], points[after[v]])
         if axis == HORIZONTAL:  # mirroring reverses the turn round v
             ends = (ends[1], ends[0])

@@ -12,7 +12,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 
 from bern_exact.boundary.arrangement import EAST, NORTH, SOUTH, Arrangement
-from bern_exact.boundary.dice import square_of
+from bern_exact.boundary.blocks import Block, block_at
 from bern_exact.boundary.records import VERTICAL, Diced, Face, GridNode, Node, Traced
 
 Piece = tuple[int, int]
@@ -141,25 +141,24 @@ def _pieces_in_blocks(diced: Diced) -> dict[Piece, int]:
     polygon = diced.framed.polygon
     block_of: dict[Piece, int] = {}
     for v in range(polygon.n):
-        square = square_of(polygon.points[v])
+        block = block_at(diced.framed, v)
         outwards = diced.on_edge[v]
         inwards = diced.on_edge[polygon.before[v]]
-        for j in range(_until_exit(diced, outwards, square)):
+        for j in range(_until_exit(diced, outwards, block)):
             block_of[v, j] = v
-        for j in range(_until_exit(diced, inwards[::-1], square)):
+        for j in range(_until_exit(diced, inwards[::-1], block)):
             block_of[polygon.before[v], len(inwards) - j] = v
     return block_of
 
 
-def _until_exit(diced: Diced, crossings: Sequence[int], square: tuple[int, int]) -> int:
+def _until_exit(diced: Diced, crossings: Sequence[int], block: Block) -> int:
     """How many pieces from a vertex on lie within its block.
 
     The block's outer lines are kept round the vertex, so its edges have crossings there.
     """
     for count, j in enumerate(crossings):
         q = diced.crossings[j]
-        low = square[q.axis] - 1
-        if q.line == low or q.line == low + 3:
+        if q.line in (block.low[q.axis], block.high[q.axis]):
             return count + 1
     return len(crossings) + 1
 

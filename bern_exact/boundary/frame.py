@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from gmpy2 import mpq
 
+from bern_exact.boundary.blocks import Grid
 from bern_exact.boundary.records import Framed, Lopped
 from bern_exact.boundary.rotation import rotation
 from bern_exact.exact.points import direction
@@ -17,18 +18,18 @@ from bern_exact.exact.similarity import Similarity
 from bern_exact.plane.feature_size import FeatureSize
 from bern_exact.plane.polygon import Polygon
 
-FACTOR = mpq(8)
-"""s' is at least this many grid units: blocks are disjoint above 4 sqrt 2."""
-
 UNIT_BITS = 10
-"""Significant bits of the grid unit: b > (1 - 2^-9) s'/8."""
+"""Significant bits of the grid unit: b > (1 - 2^-9) s'/factor."""
+
+DEFAULT = Grid()
+"""The paper's blocks and grid."""
 
 
 class Degenerate(Exception):
     """A position over the grid that is not general: another frame must be tried."""
 
 
-def frame(lopped: Lopped, feature: FeatureSize, attempt: int) -> Framed:
+def frame(lopped: Lopped, feature: FeatureSize, attempt: int, grid: Grid = DEFAULT) -> Framed:
     """P' turned, scaled so that b = 1, and shifted; each attempt gives another position.
 
     Parameters
@@ -38,7 +39,9 @@ def frame(lopped: Lopped, feature: FeatureSize, attempt: int) -> Framed:
     feature : FeatureSize
         The feature size s' of P'.
     attempt : int
-        0, 1, 2, ...: the frame depends on P' and this number alone.
+        0, 1, 2, ...: the frame depends on P', the grid asked for and this number alone.
+    grid : Grid
+        How fine the grid is, and the shape of blocks.
 
     Raises
     ------
@@ -49,7 +52,7 @@ def frame(lopped: Lopped, feature: FeatureSize, attempt: int) -> Framed:
     -----
     O(n log n), for the rotation.
     """
-    unit = sqrt_below(feature.squared / (FACTOR * FACTOR), UNIT_BITS)
+    unit = sqrt_below(feature.squared / (grid.factor * grid.factor), UNIT_BITS)
     similarity = (
         rotation(lopped.lopped, attempt)
         .then(Similarity.of((1 / unit, mpq(0)), (mpq(0), mpq(0))))
@@ -57,7 +60,7 @@ def frame(lopped: Lopped, feature: FeatureSize, attempt: int) -> Framed:
     )
     polygon = lopped.lopped.with_points([similarity.apply(p) for p in lopped.lopped.points])
     _refuse_special(polygon)
-    return Framed(lopped, feature, unit, FACTOR, similarity, polygon)
+    return Framed(lopped, feature, unit, grid.factor, similarity, polygon, grid.blocks)
 
 
 def _shift(attempt: int) -> tuple[mpq, mpq]:

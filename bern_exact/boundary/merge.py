@@ -13,10 +13,10 @@ from typing import Literal
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.boundary_mesh import touched_rectangles, triangulated
+from bern_exact.boundary.boundary_mesh import touched_rectangles, triangulated, wanted_in_blocks
 from bern_exact.boundary.corners import TAU
 from bern_exact.boundary.faces import Tracer
-from bern_exact.boundary.optimal import HIGHEST_WITHIN_135, Demand
+from bern_exact.boundary.optimal import Demand, largest_kappa
 from bern_exact.boundary.project import Chooser, best_cuts, cuttable, fewest_cuts, project
 from bern_exact.boundary.records import (
     MergedFace,
@@ -194,7 +194,7 @@ def merge_boundary(
         if number not in merger.used:
             points = [warping.image(node)[1] for node in nodes]
             block = touched[source].block
-            demands = (HIGHEST_WITHIN_135, *wanted) if block >= 0 else wanted
+            demands = (*wanted_in_blocks(warped, tau), *wanted) if block >= 0 else wanted
             faces.append(WarpedFace(nodes, block, source, triangulated(nodes, points, demands)))
     return MergedMesh(warped, touched, tuple(faces), tuple(projected), tuple(projections))
 
@@ -204,12 +204,3 @@ def _demands(tau: mpq, objective: Objective) -> tuple[Demand, ...]:
     kappa = largest_kappa(tau)
     by_height = (Demand(kappa), Demand())
     return (Demand(kappa, tau * tau / 2, True), *by_height) if objective == "angle" else by_height
-
-
-def largest_kappa(tau: mpq) -> mpq:
-    """kappa of the angle 135 degrees + arctan(2 tau): its cotangent is -(1 + 2 tau)/(1 - 2 tau).
-
-    >>> largest_kappa(mpq(1, 8))
-    mpq(5,3)
-    """
-    return (1 + 2 * tau) / (1 - 2 * tau)

@@ -18,6 +18,15 @@ KAPPA_135 = mpq(1)
 """No angle above 135 degrees."""
 
 
+def largest_kappa(tau: mpq) -> mpq:
+    """kappa of the angle 135 degrees + arctan(2 tau): its cotangent is -(1 + 2 tau)/(1 - 2 tau).
+
+    >>> largest_kappa(mpq(1, 8))
+    mpq(5,3)
+    """
+    return (1 + 2 * tau) / (1 - 2 * tau)
+
+
 @dataclass(frozen=True, slots=True)
 class Demand:
     """What a triangulation must keep, and what it is best at.

@@ -18,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from gmpy2 import mpq
 
@@ -26,6 +26,9 @@ from bern_exact.exact.points import HPoint, grid_point
 from bern_exact.exact.similarity import Similarity
 from bern_exact.plane.feature_size import FeatureSize
 from bern_exact.plane.polygon import Polygon
+
+BlockShape = Literal["square", "corner"]
+"""3 x 3 squares round that of a vertex, or the 2 x 2 round the grid vertex nearest to it."""
 
 GridNode = tuple[int, int]
 Node = int | GridNode
@@ -91,11 +94,13 @@ class Framed:
     unit : mpq
         The grid unit b in the input's units: `factor * b <= s'`.
     factor : mpq
-        What s' must be at least, in grid units (8).
+        What s' must be at least, in grid units (8 if nothing else was asked for).
     similarity : Similarity
         From the input's coordinates to grid coordinates; its scale is 1/b.
     polygon : Polygon
         P' in grid coordinates, same vertices and rings as `lopped.lopped`.
+    blocks : {"square", "corner"}
+        The shape of blocks.
     """
 
     lopped: Lopped
@@ -104,6 +109,7 @@ class Framed:
     factor: mpq
     similarity: Similarity
     polygon: Polygon
+    blocks: BlockShape = "square"
 
 
 class Interval(NamedTuple):
@@ -229,8 +235,9 @@ class Warped:
     corners : tuple of GridNode
         For each vertex of P' the corner of its square that moves to it (substep 1).
     rank : tuple of int
-        For each vertex, how many closer corners were refused (0: the closest was taken; 4: all
-        were refused, and the closest taken all the same).
+        For each vertex, how often a corner was refused (0: the closest was taken; of square
+        blocks 4: all were refused, and the closest taken all the same; of corner blocks 1: the
+        closest was taken without 135 degrees, 2: it was taken all the same).
     moved : mapping GridNode -> Node
         Interior grid vertices that move, each with the P' vertex (substep 1) or the
         crossing (substep 2, before fates) that it moves to.

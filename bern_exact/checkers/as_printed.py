@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from gmpy2 import mpq, mpz
 
 from bern_exact.boundary.records import BoundaryMesh, Framed, Lopped, Warped
-from bern_exact.checkers import bounds
+from bern_exact.checkers import bounds, bounds_grid
 from bern_exact.checkers.dicing import squares
 from bern_exact.checkers.extremes import Extreme
 from bern_exact.checkers.findings import Finding
@@ -49,7 +49,7 @@ def check_framed_as_printed(framed: Framed, feature: FeatureSize) -> list[Findin
     crowded, ratio = Extreme(greatest=True), Extreme()
     for square, vertices in occupants.items():
         crowded.offer(len(vertices), 1, {"square": square, "vertices of P'": vertices})
-    in_units = bounds.FACTOR**2 * framed.feature.squared / feature.squared
+    in_units = bounds_grid.FACTOR**2 * framed.feature.squared / feature.squared
     ratio.offer(in_units.numerator, in_units.denominator, {"s' squared": framed.feature.squared})
     return [
         crowded.finding(

@@ -10,6 +10,9 @@ from __future__ import annotations
 
 from gmpy2 import isqrt, mpq, mpz
 
+from bern_exact.boundary.records import BlockShape
+from bern_exact.checkers.bounds_grid import FACTOR, UNIT_ROUNDING, intervals_a_vertex
+
 # Section 2, lopping (Lemma 1) -------------------------------------------------
 
 CUT_FRACTION = mpq(1, 3)
@@ -32,21 +35,6 @@ CUT_HEIGHT_SQUARED = mpq(1, 18)
 Its edges are at least s/3, and all its angles at most 90 degrees, so that of
 the two angles at its longest edge one is between 45 and 90: the height is at
 least (s/3) sin 45.
-"""
-
-# Section 2, dicing --------------------------------------------------------------
-
-FACTOR = mpq(8)
-"""s' in grid units: b = s'/8, rounded down (Section 2; the paper takes s where s' is needed)."""
-
-UNIT_ROUNDING = 1 - mpq(1, 2**9)
-"""The least ratio of b to s'/8: b is s'/8 rounded down to a rational."""
-
-INTERVALS_A_VERTEX = 16
-"""Kept intervals per vertex of P' (Section 2).
-
-A block has 4 + 4 lines, and the wedge of its vertex cuts the piece of a line
-within the block into at most two.
 """
 
 # Section 2, warping -------------------------------------------------------------
@@ -151,12 +139,12 @@ def lopped_vertices(n: int) -> int:
     return 2 * n
 
 
-def crossings(lopped: int) -> int:
+def crossings(lopped: int, shape: BlockShape = "square") -> int:
     """q-vertices of P' with this many vertices: both ends of the kept intervals."""
-    return 2 * INTERVALS_A_VERTEX * lopped
+    return 2 * intervals_a_vertex(shape) * lopped
 
 
-def touched_triangles(lopped: int) -> int:
+def touched_triangles(lopped: int, shape: BlockShape = "square") -> int:
     """Triangles of the touched faces, for n' vertices and X q-vertices of P'.
 
     - The edges of P' are n' + X pieces, each on one face; so at most n' + X faces have a
@@ -166,54 +154,59 @@ def touched_triangles(lopped: int) -> int:
       vertices move in substep 1 and X in substep 2, each the corner of at most 4 rectangles
       of 2 triangles: 8 (n' + X).
     """
-    pieces = lopped + crossings(lopped)
+    pieces = lopped + crossings(lopped, shape)
     return (CORNERS_A_FACE - 2 + 2) * pieces + 8 * pieces
 
 
-def region_edges(lopped: int) -> int:
+def region_edges(lopped: int, shape: BlockShape = "square") -> int:
     """N, the boundary edges of Q, for n' vertices and X q-vertices of P'.
 
     Each is an edge of a touched face between two grid vertices.  A face with a
     piece of the boundary has at most 5 such; round a moved grid vertex all four
     faces are touched, so their edges at it are inside, and 8 remain.
     """
-    pieces = lopped + crossings(lopped)
+    pieces = lopped + crossings(lopped, shape)
     return (CORNERS_A_FACE - 1) * pieces + 8 * pieces
 
 
-def fan_triangles(n: int, lopped: int) -> int:
+def fan_triangles(n: int, lopped: int, shape: BlockShape = "square") -> int:
     """Triangles of the lopped corners: one a cut, and one more for each q-vertex on a cut."""
-    return n + crossings(lopped)
+    return n + crossings(lopped, shape)
 
 
-def theorem_1_triangles(n: int) -> int:
-    """The explicit O(n) of Theorem 1: at most 4850 n triangles.
+def theorem_1_triangles(n: int, shape: BlockShape = "square") -> int:
+    """The explicit O(n) of Theorem 1: at most 4850 n triangles (3674 n for corner blocks).
 
     The sum of `touched_triangles`, `interior_triangles` with at most N/4 holes
     (a loop has 4 edges) and `fan_triangles`, for n' = 2 n.  A crude bound that
     follows from the parts; 25 to 80 n is what is seen.
 
-    >>> theorem_1_triangles(1)
-    4849
+    >>> theorem_1_triangles(1), theorem_1_triangles(1, "corner")
+    (4849, 3674)
     """
     lopped = lopped_vertices(n)
-    edges = region_edges(lopped)
+    edges = region_edges(lopped, shape)
     return (
-        touched_triangles(lopped) + interior_triangles(edges, edges // 4) + fan_triangles(n, lopped)
+        touched_triangles(lopped, shape)
+        + interior_triangles(edges, edges // 4)
+        + fan_triangles(n, lopped, shape)
     )
 
 
-def theorem_1_height_squared(tau: mpq = TAU, factor: mpq = FACTOR) -> mpq:
+def theorem_1_height_squared(
+    tau: mpq = TAU, factor: mpq = FACTOR, shape: BlockShape = "square"
+) -> mpq:
     """The least (height/s)^2 of Theorem 1: about 1/271.5^2 for the default tau and factor.
 
-    Every part has height at least tau b/sqrt 2: Lemma 2 near the boundary, 1/sqrt 2
-    inside (Lemma 3).  A lopped corner's fan triangle has a base of at least tau b
-    with an angle of 45 to 90 degrees at one end of the base's line: its height is
-    at least tau b sin 45, or the corner's own.  And b >= s'/factor, s' >= s/3, each up
-    to its rounding.
+    Every part has height at least tau b/sqrt 2: Lemma 2 near the boundary (tau b/2
+    in blocks round a corner), 1/sqrt 2 inside (Lemma 3).  A lopped corner's fan
+    triangle has a base of at least tau b with an angle of 45 to 90 degrees at one end
+    of the base's line: its height is at least tau b sin 45, or the corner's own.  And
+    b >= s'/factor, s' >= s/3, each up to its rounding.
     """
     rounding = CUT_ROUNDING * UNIT_ROUNDING
-    return boundary_height_squared(tau) * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2
+    least = boundary_height_squared(tau) if shape == "square" else merged_height_squared(tau)
+    return least * LOPPED_FEATURE_SQUARED * rounding**2 / factor**2
 
 
 # Section 3, Lemma 5 ---------------------------------------------------------------
@@ -252,22 +245,22 @@ def base_piece_squared(tau: mpq = TAU) -> mpq:
     return tau * tau / 2
 
 
-def merged_triangles(lopped: int) -> int:
+def merged_triangles(lopped: int, shape: BlockShape = "square") -> int:
     """Triangles near the boundary after merging and projecting, for n' vertices of P'.
 
     A merged face of faces with m_1, m_2, ... nodes has at most sum (m_i - 2) + 2
     staircase vertices; all but the two ends may be projected, each adding a vertex on the
     base.  So it makes at most 2 sum (m_i - 2) triangles: twice what its faces would.
     """
-    return 2 * touched_triangles(lopped)
+    return 2 * touched_triangles(lopped, shape)
 
 
-def projected_fan_triangles(n: int, lopped: int) -> int:
+def projected_fan_triangles(n: int, lopped: int, shape: BlockShape = "square") -> int:
     """Triangles of the lopped corners, if also projections may lie on the cuts.
 
     A projection comes from a staircase vertex: `touched_triangles` bounds their number.
     """
-    return fan_triangles(n, lopped) + touched_triangles(lopped)
+    return fan_triangles(n, lopped, shape) + touched_triangles(lopped, shape)
 
 
 # Section 3, Lemmas 6 to 8 -----------------------------------------------------------
@@ -346,7 +339,7 @@ def log2_above(value: int) -> mpq:
     return mpq((value**LOG_PRECISION - 1).bit_length(), LOG_PRECISION)
 
 
-def theorem_2_triangles(n: int) -> int:
+def theorem_2_triangles(n: int, shape: BlockShape = "square") -> int:
     """The explicit O(n log n) of Theorem 2.
 
     The sum of `merged_triangles`, four a vertex of Lemma 6's at most
@@ -357,29 +350,33 @@ def theorem_2_triangles(n: int) -> int:
     >>> theorem_2_triangles(1), theorem_2_triangles(10**6) // 10**6
     (51313, 153952)
     """
-    lopped = lopped_vertices(n)
-    edges = region_edges(lopped)
+    edges = region_edges(lopped_vertices(n), shape)
     vertices = int((3 * edges * log2_above(edges) - edges) / 2)
-    return _theorem_triangles(n, lopped, vertices)
+    return _theorem_triangles(n, vertices, shape)
 
 
-def theorem_3_triangles(n: int) -> int:
+def theorem_3_triangles(n: int, shape: BlockShape = "square") -> int:
     """The explicit O(n^1.5) of Theorem 3: as for Theorem 2, with Lemma 8's 2 N + N^1.5 vertices.
 
     >>> theorem_3_triangles(1), theorem_3_triangles(10**6) // 10**9
     (110229, 100538)
     """
+    edges = region_edges(lopped_vertices(n), shape)
+    return _theorem_triangles(n, 2 * edges + int(isqrt(mpz(edges) ** 3)), shape)
+
+
+def _theorem_triangles(n: int, partition_vertices: int, shape: BlockShape) -> int:
+    return TILED_TRIANGLES_A_VERTEX * partition_vertices + boundary_and_fan_triangles(n, shape)
+
+
+def boundary_and_fan_triangles(n: int, shape: BlockShape = "square") -> int:
+    """Triangles that are not inside Q, for n vertices of P: linear in n.
+
+    >>> boundary_and_fan_triangles(1), boundary_and_fan_triangles(1, "corner")
+    (2837, 2149)
+    """
     lopped = lopped_vertices(n)
-    edges = region_edges(lopped)
-    return _theorem_triangles(n, lopped, 2 * edges + int(isqrt(mpz(edges) ** 3)))
-
-
-def _theorem_triangles(n: int, lopped: int, partition_vertices: int) -> int:
-    return (
-        merged_triangles(lopped)
-        + TILED_TRIANGLES_A_VERTEX * partition_vertices
-        + projected_fan_triangles(n, lopped)
-    )
+    return merged_triangles(lopped, shape) + projected_fan_triangles(n, lopped, shape)
 
 
 def theorem_2_height_squared(tau: mpq = TAU, factor: mpq = FACTOR) -> mpq:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from gmpy2 import mpq
 
 from bern_exact.boundary.records import HORIZONTAL, VERTICAL, Crossing, Diced, Framed, Interval
-from bern_exact.checkers import bounds
+from bern_exact.checkers import bounds_grid
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.exact.points import direction, grid_point
@@ -20,6 +20,8 @@ FRAMED = "framed"
 STAGE = "diced"
 
 Square = tuple[int, int]
+Box = tuple[Square, Square]
+"""The lower left and the upper right corner of a block."""
 
 
 def check_frame(framed: Framed) -> list[Finding]:
@@ -31,7 +33,7 @@ def check_frame(framed: Framed) -> list[Finding]:
         *_check_unit(framed),
         _check_similarity(framed),
         *_check_general_position(framed.polygon),
-        _check_sheets(framed.polygon),
+        _check_sheets(framed),
     ]
 
 
@@ -40,15 +42,15 @@ def check_dicing(diced: Diced) -> list[Finding]:
 
     O(n log n).
     """
-    n = diced.framed.polygon.n
+    n, most = diced.framed.polygon.n, bounds_grid.intervals_a_vertex(diced.framed.blocks)
     kept = Extreme(greatest=True)
     kept.offer(len(diced.vertical) + len(diced.horizontal), 1, {"n'": n})
     return [
         kept.finding(
             "dicing.intervals",
             STAGE,
-            "at most 16 intervals of grid lines are kept per vertex of P'",
-            bounds.INTERVALS_A_VERTEX * n,
+            f"at most {most} intervals of grid lines are kept per vertex of P'",
+            most * n,
         ),
         _check_crossings(diced),
         _check_covered(diced),
@@ -60,24 +62,39 @@ def squares(polygon: Polygon) -> list[Square]:
     return [(int(x // w), int(y // w)) for x, y, w in polygon.points]
 
 
+def blocks(framed: Framed) -> list[Box]:
+    """The block of each vertex: (low x, low y), (high x, high y).
+
+    Its square and the eight round it, or the four squares round the nearest grid vertex; of two
+    coordinates equally near the lower.
+    """
+    if framed.blocks == "square":
+        return [((x - 1, y - 1), (x + 2, y + 2)) for x, y in squares(framed.polygon)]
+    # The least integer k with x - k <= 1/2.
+    near = [[int(-((w - 2 * z) // (2 * w))) for z in (x, y)] for x, y, w in framed.polygon.points]
+    return [((x - 1, y - 1), (x + 1, y + 1)) for x, y in near]
+
+
 def _check_unit(framed: Framed) -> list[Finding]:
-    """(8 b/s')^2 is at most 1, and not much less."""
+    """(8 b/s')^2, if the factor is 8, is at most 1, and not much less."""
     ratio = framed.factor**2 * framed.unit**2 / framed.feature.squared
-    above, below = Extreme(greatest=True), Extreme()
+    above, below, factor = Extreme(greatest=True), Extreme(), framed.factor
+    part = f"s'/{factor}" if factor.denominator == 1 else f"s'/({factor})"
+    square = f"({factor} b/s')^2"
     for extreme in (above, below):
         extreme.offer(ratio.numerator, ratio.denominator, {"unit": str(framed.unit)})
     return [
         above.finding(
             "dicing.unit",
             FRAMED,
-            "the grid unit b is at most s'/8, so that blocks are disjoint within P' ((8 b/s')^2)",
+            f"the grid unit b is at most {part}, so that blocks are disjoint within P' ({square})",
             mpq(1),
         ),
         below.finding(
             "dicing.unit-rounding",
             FRAMED,
-            "the grid unit b is s'/8 rounded down by less than 1 part in 2^9 ((8 b/s')^2)",
-            bounds.UNIT_ROUNDING**2,
+            f"the grid unit b is {part} rounded down by less than 1 part in 2^9 ({square})",
+            bounds_grid.UNIT_ROUNDING**2,
             strict=True,
         ),
     ]
@@ -88,7 +105,7 @@ def _check_similarity(framed: Framed) -> Finding:
     broken = Violations()
     original = framed.lopped.lopped
     broken.case(framed.similarity.squared_scale * framed.unit**2 == 1, "scale")
-    broken.case(framed.factor >= bounds.FACTOR, "factor")
+    broken.case(bounds_grid.blocks_are_disjoint(framed.blocks, framed.factor), "factor")
     broken.case(original.rings == framed.polygon.rings and original.n == framed.polygon.n, "rings")
     for v, (p, q) in enumerate(zip(original.points, framed.polygon.points, strict=False)):
         broken.case(framed.similarity.apply(p) == q, {"vertex of P'": v})
@@ -115,19 +132,19 @@ def _check_general_position(polygon: Polygon) -> list[Finding]:
     ]
 
 
-def _check_sheets(polygon: Polygon) -> Finding:
+def _check_sheets(framed: Framed) -> Finding:
     """No second vertex in the block of v within the wedge of v."""
-    places = squares(polygon)
+    polygon = framed.polygon
     occupants: dict[Square, list[int]] = defaultdict(list)
-    for v, square in enumerate(places):
+    for v, square in enumerate(squares(polygon)):
         occupants[square].append(v)
     points, broken = polygon.points, Violations()
-    for v, (column, row) in enumerate(places):
+    for v, (low, high) in enumerate(blocks(framed)):
         before, after = points[polygon.before[v]], points[polygon.after[v]]
         others = (
             w
-            for x in range(column - 1, column + 2)
-            for y in range(row - 1, row + 2)
+            for x in range(low[0], high[0])
+            for y in range(low[1], high[1])
             for w in occupants.get((x, y), ())
             if w != v and is_in_wedge(points[w], before, points[v], after)
         )
@@ -195,10 +212,10 @@ def _check_covered(diced: Diced) -> Finding:
         for axis, intervals in ((VERTICAL, diced.vertical), (HORIZONTAL, diced.horizontal))
     }
     broken = Violations()
-    for v, square in enumerate(squares(polygon)):
-        for key in _edge_ends(polygon, v, square):
+    for v, block in enumerate(blocks(diced.framed)):
+        for key in _edge_ends(polygon, v, block):
             broken.case(key in diced.crossing_at, {"vertex of P'": v, "crossing": key})
-        for axis, line, across in _rim_ends(polygon, v, square):
+        for axis, line, across in _rim_ends(polygon, v, block):
             kept = _contains(lines[axis].get(line), across)
             broken.case(kept, {"vertex of P'": v, "axis": axis, "line": line, "at": across})
     return broken.finding(
@@ -233,15 +250,15 @@ def _contains(ends: tuple[list[mpq], list[mpq]] | None, at: int) -> bool:
     return 0 <= position < len(highs) and bool(highs[position] > at)
 
 
-def _edge_ends(polygon: Polygon, v: int, square: Square) -> Iterator[tuple[int, int, int]]:
+def _edge_ends(polygon: Polygon, v: int, block: Box) -> Iterator[tuple[int, int, int]]:
     """Where the two edges at v leave across the lines of its block: (axis, line, edge)."""
     x, y, w = polygon.points[v]
     for edge, other in ((v, polygon.after[v]), (polygon.before[v], polygon.before[v])):
         run = direction(polygon.points[v], polygon.points[other])
         a, b, c = polygon.lines[edge]
         for axis, slope, offset in ((VERTICAL, b, a), (HORIZONTAL, a, b)):
-            low = square[1 - axis] - 1
-            for line in range(square[axis] - 1, square[axis] + 3):
+            first, last = (corner[1 - axis] for corner in block)
+            for line in range(block[0][axis], block[1][axis] + 1):
                 ahead = (line * w - (x, y)[axis]) * run[axis]
                 # The other coordinate of the crossing is value/slope.
                 value = -(offset * line + c)
@@ -249,20 +266,20 @@ def _edge_ends(polygon: Polygon, v: int, square: Square) -> Iterator[tuple[int, 
                     value, divisor = -value, -slope
                 else:
                     divisor = slope
-                if ahead > 0 and low * divisor <= value <= (low + 3) * divisor:
+                if ahead > 0 and first * divisor <= value <= last * divisor:
                     yield axis, line, edge
 
 
-def _rim_ends(polygon: Polygon, v: int, square: Square) -> Iterator[tuple[int, int, int]]:
+def _rim_ends(polygon: Polygon, v: int, block: Box) -> Iterator[tuple[int, int, int]]:
     """The ends of block lines on the rim of the block within the wedge: (axis, line, where)."""
     points = polygon.points
     before, apex, after = points[polygon.before[v]], points[v], points[polygon.after[v]]
     inside: dict[Square, bool] = {}
     for axis in (VERTICAL, HORIZONTAL):
-        for line in range(square[axis] - 1, square[axis] + 3):
-            for across in (square[1 - axis] - 1, square[1 - axis] + 2):
-                corner = (line, across) if axis == VERTICAL else (across, line)
-                if corner not in inside:
-                    inside[corner] = is_in_wedge(grid_point(*corner), before, apex, after)
-                if inside[corner]:
+        for line in range(block[0][axis], block[1][axis] + 1):
+            for across in (corner[1 - axis] for corner in block):
+                node = (line, across) if axis == VERTICAL else (across, line)
+                if node not in inside:
+                    inside[node] = is_in_wedge(grid_point(*node), before, apex, after)
+                if inside[node]:
                     yield axis, line, across

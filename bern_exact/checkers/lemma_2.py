@@ -6,14 +6,27 @@ from collections.abc import Sequence
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.records import Node, WarpedFace
-from bern_exact.checkers import bounds
+from bern_exact.boundary.records import BlockShape, Node, WarpedFace
+from bern_exact.checkers import bounds, bounds_blocks
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.places import Places, cotangents, squared_height, squared_length
 from bern_exact.checkers.rings import NearBoundary, places_of
 
 STAGE = "boundary"
+
+BLOCK_ANGLE: dict[BlockShape, str] = {
+    "square": "no angle in a block is above 135 degrees, with the repaired choice of corner "
+    "(least cotangent)",
+    "corner": "no angle in a block is above 135 degrees + arctan(2 tau), the bound of Theorems 2 "
+    "and 3: blocks of four squares are experimental (least cotangent)",
+}
+
+BLOCK_HEIGHT: dict[BlockShape, str] = {
+    "square": "every triangle in a block has height at least tau/sqrt(2) (squared, in b^2)",
+    "corner": "every triangle in a block has height at least tau/2, the bound of Theorems 2 and 3: "
+    "blocks of four squares are experimental (squared, in b^2)",
+}
 
 NodeTriangle = tuple[Node, Node, Node]
 
@@ -44,7 +57,7 @@ def check_lemma_2(mesh: NearBoundary, *, tau: mpq = bounds.TAU) -> list[Finding]
         for p, q, r in face.triangles:
             least.offer(*squared_height(places[p], places[q], places[r]), (number, (p, q, r)))
     describe = places.describe
-    least_height = bounds.boundary_height_squared(tau)
+    shape = mesh.warped.traced.diced.framed.blocks
     return [
         untiled.finding(
             "lemma-2.tiles",
@@ -55,9 +68,8 @@ def check_lemma_2(mesh: NearBoundary, *, tau: mpq = bounds.TAU) -> list[Finding]
         largest.finding(
             "lemma-2.block-angle",
             STAGE,
-            "no angle in a block is above 135 degrees, with the repaired choice of corner "
-            "(least cotangent)",
-            bounds.BLOCK_COTANGENT,
+            BLOCK_ANGLE[shape],
+            bounds_blocks.block_cotangent(shape, tau),
             describe=describe,
         ),
         shortest.finding(
@@ -70,8 +82,8 @@ def check_lemma_2(mesh: NearBoundary, *, tau: mpq = bounds.TAU) -> list[Finding]
         block_height.finding(
             "lemma-2.block-height",
             STAGE,
-            "every triangle in a block has height at least tau/sqrt(2) (squared, in b^2)",
-            least_height,
+            BLOCK_HEIGHT[shape],
+            bounds_blocks.block_height_squared(shape, tau),
             describe=describe,
         ),
         height.finding(
@@ -79,7 +91,7 @@ def check_lemma_2(mesh: NearBoundary, *, tau: mpq = bounds.TAU) -> list[Finding]
             STAGE,
             "every other triangle near the boundary has height at least tau/sqrt(2) "
             "(squared, in b^2)",
-            least_height,
+            bounds.boundary_height_squared(tau),
             describe=describe,
         ),
     ]

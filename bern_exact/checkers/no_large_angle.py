@@ -6,7 +6,7 @@ from typing import Protocol
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.records import Framed, MergedMesh
+from bern_exact.boundary.records import BlockShape, Framed, MergedMesh
 from bern_exact.checkers import bounds
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Exact, Finding
@@ -57,7 +57,7 @@ def check_mesh(
     return [
         *_check_angle(theorem, verdict, tau, angle_bound),
         *_check_triangles(theorem, mesh, framed, feature, tau),
-        _check_boundary_count(theorem, merged),
+        _check_boundary_count(theorem, merged, framed.blocks),
         valid.finding(
             f"{theorem}.valid", STAGE, "the mesh is a triangulation of P, as the judge finds"
         ),
@@ -146,14 +146,14 @@ def _check_triangles(
         relative(height, feature.squared).finding(
             f"{theorem}.height",
             STAGE,
-            "the least height is at least tau s/48 up to the rounding of cuts and grid unit, s "
-            "being an upper bound for every triangulation ((height/s)^2)",
-            bounds.theorem_2_height_squared(tau),
+            f"the least height is at least tau s/{6 * framed.factor} up to the rounding of cuts "
+            "and grid unit, s being an upper bound for every triangulation ((height/s)^2)",
+            bounds.theorem_2_height_squared(tau, framed.factor),
         ),
     ]
 
 
-def _check_boundary_count(theorem: str, merged: MergedMesh) -> Finding:
+def _check_boundary_count(theorem: str, merged: MergedMesh, shape: BlockShape) -> Finding:
     """The triangles near the boundary, before the interior's are counted."""
     lopped = merged.warped.traced.diced.framed.polygon.n
     most = Extreme(greatest=True)
@@ -165,6 +165,6 @@ def _check_boundary_count(theorem: str, merged: MergedMesh) -> Finding:
         f"{theorem}.boundary-count",
         STAGE,
         "there are O(n) triangles near the boundary: merging and projecting at most doubles the "
-        "924 n of Section 2",
-        bounds.merged_triangles(lopped),
+        f"{bounds.touched_triangles(bounds.lopped_vertices(1), shape)} n of Section 2",
+        bounds.merged_triangles(lopped, shape),
     )

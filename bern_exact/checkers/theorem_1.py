@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sized
+from collections.abc import Mapping, Sized
 from typing import Protocol
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.records import Framed
-from bern_exact.checkers import bounds
+from bern_exact.boundary.records import BlockShape, Framed
+from bern_exact.checkers import bounds, bounds_blocks
+from bern_exact.checkers.bounds_grid import intervals_a_vertex
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.places import squared_height
@@ -17,6 +18,9 @@ from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
 
 STAGE = "mesh"
+
+LEAST: Mapping[BlockShape, str] = {"square": "sqrt(2)", "corner": "2"}
+"""What tau b is divided by in the least height, for both shapes of blocks."""
 
 
 class Judgement(Protocol):
@@ -65,26 +69,31 @@ def check_theorem_1(
     most.offer(len(mesh.triangles), 1, {"n": polygon.n})
     valid.case(verdict.valid, {"defects": len(verdict.defects)})
     least = least_height(mesh)
+    shape = framed.blocks
+    constant = bounds.theorem_1_triangles(2, shape) // 2
     return [
         most.finding(
             "theorem-1.count",
             STAGE,
-            "the mesh has at most C n triangles, C = 4850 from the parts (16 intervals a vertex "
+            f"the mesh has at most C n triangles, C = {constant} from the parts "
+            f"({intervals_a_vertex(shape)} intervals a vertex "
             "of P', at most 2 n vertices of P', Lemma 3)",
-            bounds.theorem_1_triangles(polygon.n),
+            bounds.theorem_1_triangles(polygon.n, shape),
         ),
         least.finding(
             "theorem-1.grid-height",
             STAGE,
-            "every triangle has height at least tau b/sqrt(2) (squared, in the input's units)",
-            bounds.boundary_height_squared(tau) * framed.unit**2,
+            f"every triangle has height at least tau b/{LEAST[shape]} (squared, in the input's "
+            "units)",
+            bounds_blocks.block_height_squared(shape, tau) * framed.unit**2,
         ),
         relative(least, feature.squared).finding(
             "theorem-1.height",
             STAGE,
-            "the least height is at least tau s/(24 sqrt(2)) up to the rounding of cuts and grid "
-            "unit, s being an upper bound for every triangulation ((height/s)^2)",
-            bounds.theorem_1_height_squared(tau),
+            f"the least height is at least tau s/({3 * framed.factor} {LEAST[shape]}) up to the "
+            "rounding "
+            "of cuts and grid unit, s being an upper bound for every triangulation ((height/s)^2)",
+            bounds.theorem_1_height_squared(tau, framed.factor, shape),
         ),
         valid.finding(
             "theorem-1.valid", STAGE, "the mesh is a triangulation of P, as the judge finds"

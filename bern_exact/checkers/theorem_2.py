@@ -50,14 +50,16 @@ def check_theorem_2(
     -----
     Heights are measured here again, not taken from the verdict.  Linear time.
     """
+    shape = framed.blocks
+    edges = bounds.region_edges(bounds.lopped_vertices(1), shape)
     return [
         check_count(
             "theorem-2",
             mesh,
             polygon.n,
-            "the mesh has at most C n + 6 N log2 N - 2 N triangles, N <= 858 n (Lemma 6), "
-            "C = 2837 from the parts",
-            bounds.theorem_2_triangles(polygon.n),
+            f"the mesh has at most C n + 6 N log2 N - 2 N triangles, N <= {edges} n (Lemma 6), "
+            f"C = {bounds.boundary_and_fan_triangles(1, shape)} from the parts",
+            bounds.theorem_2_triangles(polygon.n, shape),
         ),
         *check_mesh(
             "theorem-2",

@@ -9,7 +9,7 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.records import GridNode, Node, Warped
 from bern_exact.checkers import bounds
-from bern_exact.checkers.dicing import squares
+from bern_exact.checkers.dicing import blocks, squares
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.places import Places
@@ -56,14 +56,22 @@ def check_warping(warped: Warped, *, tau: mpq = bounds.TAU) -> list[Finding]:
 
 
 def _check_corners(warped: Warped) -> Finding:
-    """Substep 1: each vertex takes a corner of its square and its instances on both edges."""
-    polygon = warped.traced.diced.framed.polygon
+    """Substep 1: each vertex takes a corner of its square and its instances on both edges.
+
+    Of a block of four squares it is the corner in the middle.
+    """
+    framed = warped.traced.diced.framed
+    polygon = framed.polygon
     points, broken = polygon.points, Violations()
     taken: dict[GridNode, int] = {}
+    boxes = blocks(framed)
     for v, (column, row) in enumerate(squares(polygon)):
         corner = warped.corners[v]
         before, after = points[polygon.before[v]], points[polygon.after[v]]
         fits = corner[0] - column in (0, 1) and corner[1] - row in (0, 1)
+        if framed.blocks == "corner":
+            (x, y), _ = boxes[v]
+            fits &= corner == (x + 1, y + 1)
         fits &= all(warped.instances.get((e, *corner)) == v for e in (v, polygon.before[v]))
         if is_in_wedge(grid_point(*corner), before, points[v], after):
             fits &= warped.moved.get(corner) == v

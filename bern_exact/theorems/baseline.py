@@ -6,9 +6,13 @@ triangulation.  We now work on improving the size bound."
 
 from __future__ import annotations
 
+from gmpy2 import mpq
+
+from bern_exact.boundary.blocks import Grid
 from bern_exact.boundary.boundary_mesh import triangulate_boundary
 from bern_exact.boundary.corners import TAU
 from bern_exact.boundary.merge import Objective
+from bern_exact.boundary.records import BlockShape
 from bern_exact.checkers.extremes import Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_2 import check_lemma_2
@@ -26,6 +30,7 @@ from bern_exact.theorems.assemble import (
     boundary_triangles,
     nodes_on_cuts,
 )
+from bern_exact.theorems.grid import grid_for
 from bern_exact.theorems.no_large_angle import InteriorTriangle, put_together, treat_boundary
 from bern_exact.theorems.prepare import Prepared, prepare
 from bern_exact.theorems.stages import Check, Construction, Log, Observer, Silent
@@ -40,6 +45,8 @@ def baseline(
     *,
     max_angle: AngleBound | None = None,
     objective: Objective = "fewest",
+    blocks: BlockShape = "square",
+    factor: mpq | None = None,
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,
@@ -52,7 +59,7 @@ def baseline(
         Valid; holes are allowed.
     max_angle : AngleBound, optional
         Treat the boundary as Theorems 2 and 3 do, for this bound; without it as Theorem 1.
-    objective, check, as_printed, observer
+    objective, blocks, factor, check, as_printed, observer
         As in `theorem_2`.
 
     Raises
@@ -60,17 +67,18 @@ def baseline(
     TooManyTriangles
         If the grid would have more than `MOST_TRIANGLES` triangles.
     """
+    grid = grid_for(blocks, factor)
     log = Log(check, observer or Silent(), as_printed)
     if max_angle is None:
-        prepared, assembled = _highest(polygon, log)
+        prepared, assembled = _highest(polygon, log, grid)
     else:
         tau = threshold_for(max_angle)
-        prepared = prepare(polygon, log, tau)
+        prepared = prepare(polygon, log, tau, grid)
         merged, region = treat_boundary(prepared, log, tau, objective)
-        grid = whole_grid(region, MOST_TRIANGLES)
-        log.done("grid", grid)
+        whole = whole_grid(region, MOST_TRIANGLES)
+        log.done("grid", whole)
         inside: list[InteriorTriangle] = [
-            (INTERIOR, triangle) for column in grid.columns for triangle in column.triangles
+            (INTERIOR, triangle) for column in whole.columns for triangle in column.triangles
         ]
         assembled = put_together(prepared, merged, inside, log)
     if check != "none":
@@ -79,9 +87,9 @@ def baseline(
     return log.construction(polygon, prepared.feature, prepared.framed, assembled)
 
 
-def _highest(polygon: Polygon, log: Log) -> tuple[Prepared, Assembled]:
+def _highest(polygon: Polygon, log: Log, grid: Grid) -> tuple[Prepared, Assembled]:
     """Theorem 1 without Lemma 3."""
-    prepared = prepare(polygon, log, TAU)
+    prepared = prepare(polygon, log, TAU, grid)
     boundary = triangulate_boundary(prepared.warped, prepared.warping, prepared.tracer)
     log.done("boundary", boundary)
     region = interior(face.ring for face in boundary.touched)
@@ -89,12 +97,12 @@ def _highest(polygon: Polygon, log: Log) -> tuple[Prepared, Assembled]:
     if log.every_stage:
         log.demand(check_lemma_2(boundary))
         log.demand(check_faces(boundary, region))
-    grid = whole_grid(region, MOST_TRIANGLES)
-    log.done("grid", grid)
+    whole = whole_grid(region, MOST_TRIANGLES)
+    log.done("grid", whole)
     assembled = assemble(
         prepared.warped,
         boundary_triangles(boundary.faces),
-        [(INTERIOR, triangle) for column in grid.columns for triangle in column.triangles],
+        [(INTERIOR, triangle) for column in whole.columns for triangle in column.triangles],
         nodes_on_cuts(prepared.warped),
     )
     log.done("mesh", assembled)

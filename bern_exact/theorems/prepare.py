@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 from gmpy2 import mpq
 
+from bern_exact.boundary.blocks import Grid
 from bern_exact.boundary.corners import warp
 from bern_exact.boundary.dice import dice
 from bern_exact.boundary.faces import Tracer, trace
-from bern_exact.boundary.frame import Degenerate, frame
+from bern_exact.boundary.frame import DEFAULT, Degenerate, frame
 from bern_exact.boundary.lop import lop
 from bern_exact.boundary.records import Diced, Framed, Lopped, Warped
 from bern_exact.boundary.warp import Warping
@@ -59,7 +60,7 @@ class Prepared:
         return self.warped.traced.diced.framed
 
 
-def prepare(polygon: Polygon, log: Log, tau: mpq) -> Prepared:
+def prepare(polygon: Polygon, log: Log, tau: mpq, grid: Grid = DEFAULT) -> Prepared:
     """Lop, frame, dice and warp a polygon, each stage followed by its checks.
 
     Section 2: "The first step of our maxmin-height algorithm is to 'lop off' acute vertices of
@@ -73,6 +74,8 @@ def prepare(polygon: Polygon, log: Log, tau: mpq) -> Prepared:
         Takes the records and the findings.
     tau : mpq
         The threshold of warping, in grid units.
+    grid : Grid
+        The shape of blocks, and s' in grid units.
     """
     triangulation = triangulate_polygon(polygon)
     feature = feature_size(polygon, triangulation)
@@ -83,7 +86,7 @@ def prepare(polygon: Polygon, log: Log, tau: mpq) -> Prepared:
     lopped = lop(polygon, triangulation)
     log.done("lopped", lopped)
 
-    diced = _dice_somewhere(lopped)
+    diced = _dice_somewhere(lopped, grid)
     log.done("framed", diced.framed)
     if log.every_stage:
         log.demand(_check_lopped(diced.framed, feature))
@@ -102,7 +105,8 @@ def prepare(polygon: Polygon, log: Log, tau: mpq) -> Prepared:
     if log.as_printed:
         log.demand(check_lopped_as_printed(lopped, feature))
         log.demand(check_framed_as_printed(diced.framed, feature))
-        log.demand(check_warped_as_printed(warped))
+        if grid.blocks == "square":  # the paper's sentence is about its own blocks
+            log.demand(check_warped_as_printed(warped))
     return Prepared(feature, warped, warping, tracer)
 
 
@@ -115,12 +119,12 @@ def _check_lopped(framed: Framed, feature: FeatureSize) -> list[Finding]:
     return [*certified, *check_lemma_1(lopped, feature, framed.feature)]
 
 
-def _dice_somewhere(lopped: Lopped) -> Diced:
+def _dice_somewhere(lopped: Lopped, grid: Grid) -> Diced:
     """Dice P' in the first frame in which nothing is special."""
     feature = feature_size(lopped.lopped)
     for attempt in range(ATTEMPTS):
         try:
-            return dice(frame(lopped, feature, attempt))
+            return dice(frame(lopped, feature, attempt, grid))
         except Degenerate as coincidence:
             reason = coincidence
     raise reason

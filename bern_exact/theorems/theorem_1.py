@@ -6,8 +6,11 @@ dice and warp (Lemma 2), sweep the interior (Lemma 3).
 
 from __future__ import annotations
 
+from gmpy2 import mpq
+
 from bern_exact.boundary.boundary_mesh import triangulate_boundary
 from bern_exact.boundary.corners import TAU
+from bern_exact.boundary.records import BlockShape
 from bern_exact.checkers.as_printed import check_boundary_as_printed, check_swept_as_printed
 from bern_exact.checkers.definition_2 import check_definition_2
 from bern_exact.checkers.lemma_2 import check_lemma_2
@@ -19,6 +22,7 @@ from bern_exact.interior.sweep import sweep
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.polygon import Polygon
 from bern_exact.theorems.assemble import INTERIOR, assemble, boundary_triangles, nodes_on_cuts
+from bern_exact.theorems.grid import grid_for
 from bern_exact.theorems.prepare import prepare
 from bern_exact.theorems.stages import Check, Construction, Log, Observer, Silent
 
@@ -26,6 +30,8 @@ from bern_exact.theorems.stages import Check, Construction, Log, Observer, Silen
 def theorem_1(
     polygon: Polygon,
     *,
+    blocks: BlockShape = "square",
+    factor: mpq | None = None,
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,
@@ -40,6 +46,11 @@ def theorem_1(
     ----------
     polygon : Polygon
         Valid, as `polygon_from_rings` makes it.
+    blocks : {"square", "corner"}
+        The paper's 3 x 3 squares round that of a vertex, or (experimental) the four squares round
+        the grid vertex nearest to it.
+    factor : mpq, optional
+        s' in grid units; without it 8 for square and 9/2 for corner blocks.
     check : {"every-stage", "final", "none"}
         Check every claim after its stage, the theorem's own at the end, or nothing.
     as_printed : bool
@@ -49,6 +60,8 @@ def theorem_1(
 
     Raises
     ------
+    RefusedOption
+        If the factor does not keep blocks apart.
     LemmaViolation
         If a guarantee fails.
 
@@ -57,7 +70,7 @@ def theorem_1(
     O(n log^2 n) in the size of P', exact throughout.
     """
     log = Log(check, observer or Silent(), as_printed)
-    prepared = prepare(polygon, log, TAU)
+    prepared = prepare(polygon, log, TAU, grid_for(blocks, factor))
 
     boundary = triangulate_boundary(prepared.warped, prepared.warping, prepared.tracer)
     log.done("boundary", boundary)

@@ -6,13 +6,17 @@ as in Lemma 5.  We merge all interior rectangles, and apply Lemmas 6 and 7 to th
 
 from __future__ import annotations
 
+from gmpy2 import mpq
+
 from bern_exact.boundary.merge import Objective
+from bern_exact.boundary.records import BlockShape
 from bern_exact.checkers.lemma_6 import check_lemma_6, check_lemma_6_as_printed
 from bern_exact.checkers.theorem_2 import check_theorem_2
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.errors import InputError
 from bern_exact.interior.subdivided.halving import halving
 from bern_exact.plane.polygon import Polygon
+from bern_exact.theorems.grid import grid_for
 from bern_exact.theorems.no_large_angle import (
     judged,
     put_together,
@@ -33,6 +37,8 @@ def theorem_2(
     max_angle: AngleBound = DEGREES_150,
     objective: Objective = "fewest",
     squares: bool = False,
+    blocks: BlockShape = "square",
+    factor: mpq | None = None,
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,
@@ -52,7 +58,7 @@ def theorem_2(
         What the pieces along the boundary are best at, within both bounds.
     squares : bool
         Cut the paper's unit squares off in Lemma 6 instead of whole strips.
-    check, as_printed, observer
+    blocks, factor, check, as_printed, observer
         As in `theorem_1`.
 
     Raises
@@ -74,7 +80,7 @@ def theorem_2(
         )
     tau = threshold_for(max_angle)
     log = Log(check, observer or Silent(), as_printed)
-    prepared = prepare(polygon, log, tau)
+    prepared = prepare(polygon, log, tau, grid_for(blocks, factor))
     merged, region = treat_boundary(prepared, log, tau, objective)
 
     partition = halving(region, squares=squares)

@@ -7,7 +7,10 @@ polygon and then applies Lemma 6".
 
 from __future__ import annotations
 
+from gmpy2 import mpq
+
 from bern_exact.boundary.merge import Objective
+from bern_exact.boundary.records import BlockShape
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_6 import check_lemma_6
 from bern_exact.checkers.lemma_8 import check_lemma_8
@@ -16,6 +19,7 @@ from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.interior.subdivided.choice import Method, partition
 from bern_exact.interior.subdivided.records import Partition
 from bern_exact.plane.polygon import Polygon
+from bern_exact.theorems.grid import grid_for
 from bern_exact.theorems.no_large_angle import (
     judged,
     put_together,
@@ -35,6 +39,8 @@ def theorem_3(
     max_angle: AngleBound = DEGREES_150,
     interior: Method = "best",
     objective: Objective = "fewest",
+    blocks: BlockShape = "square",
+    factor: mpq | None = None,
     check: Check = "every-stage",
     as_printed: bool = False,
     observer: Observer | None = None,
@@ -55,7 +61,7 @@ def theorem_3(
         one that is counted to have fewer vertices.
     objective : {"fewest", "height", "angle"}
         What the pieces along the boundary are best at, within both bounds.
-    check, as_printed, observer
+    blocks, factor, check, as_printed, observer
         As in `theorem_1`.
 
     Raises
@@ -67,7 +73,7 @@ def theorem_3(
     """
     tau = threshold_for(max_angle)
     log = Log(check, observer or Silent(), as_printed)
-    prepared = prepare(polygon, log, tau)
+    prepared = prepare(polygon, log, tau, grid_for(blocks, factor))
     merged, region = treat_boundary(prepared, log, tau, objective)
 
     rectangles = partition(region, interior)

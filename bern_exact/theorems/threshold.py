@@ -9,7 +9,7 @@ from __future__ import annotations
 from gmpy2 import mpq
 
 from bern_exact.boundary.corners import TAU
-from bern_exact.boundary.merge import largest_kappa
+from bern_exact.boundary.optimal import largest_kappa
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.angles import ANGLE_150, Angle
 from bern_exact.theorems.stages import RefusedOption

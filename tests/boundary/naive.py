@@ -9,7 +9,7 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.records import HORIZONTAL, VERTICAL, Diced, Interval, Node
 from bern_exact.exact.points import HPoint, coordinates, direction, grid_point, hpoint
-from bern_exact.exact.predicates import cross, is_in_wedge
+from bern_exact.exact.predicates import cross, is_in_wedge, squared_distance
 from bern_exact.plane.polygon import Polygon
 
 Dart = tuple[Node, Node]
@@ -36,16 +36,26 @@ def square(p: HPoint) -> tuple[int, int]:
     return int(p[0] // p[2]), int(p[1] // p[2])
 
 
-def kept_intervals(polygon: Polygon, axis: int) -> set[Interval]:
+def box(p: HPoint, shape: str) -> tuple[tuple[int, int], tuple[int, int]]:
+    """Lower left and upper right corner of the block of a vertex."""
+    x, y = square(p)
+    if shape == "square":
+        return (x - 1, y - 1), (x + 2, y + 2)
+    # Round each of the four corners in lexicographic order; the first nearest one counts.
+    corners = [(x + i, y + j) for i in (0, 1) for j in (0, 1)]
+    x, y = min(corners, key=lambda corner: squared_distance(p, grid_point(*corner)))
+    return (x - 1, y - 1), (x + 1, y + 1)
+
+
+def kept_intervals(polygon: Polygon, axis: int, shape: str = "square") -> set[Interval]:
     """The maximal intervals inside P' that have a piece in some block, within its wedge."""
     kept = set()
     for v, p in enumerate(polygon.points):
-        place = square(p)
-        low = place[1 - axis] - 1
-        for line in range(place[axis] - 1, place[axis] + 3):
+        low, high = box(p, shape)
+        for line in range(low[axis], high[axis] + 1):
             crossed = hits(polygon, axis, line)
             for (y0, below), (y1, above) in zip(crossed[::2], crossed[1::2], strict=True):
-                piece = (max(y0, mpq(low)), min(y1, mpq(low + 3)))
+                piece = (max(y0, mpq(low[1 - axis])), min(y1, mpq(high[1 - axis])))
                 if piece[0] < piece[1] and _meets_wedge(polygon, v, axis, line, piece):
                     kept.add(Interval(line, below, above))
     return kept

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 from gmpy2 import mpq
 
+from bern_exact.boundary.blocks import FACTOR
 from bern_exact.boundary.dice import dice
-from bern_exact.boundary.frame import FACTOR, Degenerate, frame
+from bern_exact.boundary.frame import Degenerate, frame
 from bern_exact.exact.points import coordinates, hpoint
 from bern_exact.exact.predicates import squared_distance
 from bern_exact.plane.feature_size import feature_size

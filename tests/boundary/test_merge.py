@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from gmpy2 import mpq
 
-from bern_exact.boundary.merge import largest_kappa, nodes_on_edge
-from bern_exact.boundary.optimal import Demand
+from bern_exact.boundary.merge import nodes_on_edge
+from bern_exact.boundary.optimal import Demand, largest_kappa
 from bern_exact.boundary.project import best_cuts, cuttable, project
 from bern_exact.exact.points import coordinates
 from bern_exact.exact.predicates import orientation

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import pytest
 from gmpy2 import mpq
 
-from bern_exact.boundary.merge import Objective, largest_kappa
-from bern_exact.boundary.optimal import Demand, rate
+from bern_exact.boundary.merge import Objective
+from bern_exact.boundary.optimal import Demand, largest_kappa, rate
 from bern_exact.boundary.project import (
     MOST_SPARED,
     Cuttable,

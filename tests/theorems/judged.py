@@ -22,9 +22,9 @@ def verdict_on(made: Construction, max_angle: str | None = None) -> dict[str, An
     )
 
 
-def proved(polygon: Polygon) -> Construction:
+def proved(polygon: Polygon, **options: Any) -> Construction:
     """Theorem 1's mesh of a polygon: every claim holds, and the lone judge agrees."""
-    return _proved(theorem_1(polygon), None)
+    return _proved(theorem_1(polygon, **options), None)
 
 
 def proved_without_large_angles(
