@@ -60,3 +60,9 @@ def test_every_family_has_its_polygons() -> None:
 
 def test_the_fixed_star_is_there() -> None:
     assert Polygon.load(STAR_400).n == 400
+
+
+@pytest.mark.parametrize("part", [("--quick",), ("--only", "star")])
+def test_a_part_is_not_written(monkeypatch: pytest.MonkeyPatch, part: tuple[str, ...]) -> None:
+    with pytest.raises(SystemExit, match="--write is for the whole comparison"):
+        run(monkeypatch, "--write", *part)
