@@ -16,7 +16,7 @@ from bern_exact.checkers.lemma_11 import check_lemma_11, check_lemma_11_as_print
 from bern_exact.checkers.lemma_12 import check_lemma_12
 from bern_exact.checkers.merged_cells import boundary_edges, check_merged_cells
 from bern_exact.checkers.printed_recursion import check_lemma_12_as_printed
-from bern_exact.convex.block_records import SPLIT, Block, Blocks, Reduced
+from bern_exact.convex.block_records import LEAF, OUTER, SPLIT, Block, Blocks, Reduced
 from bern_exact.convex.cells import Cells
 from bern_exact.convex.merge import merge, outline
 from bern_exact.convex.reduction import reduce_blocks
@@ -29,7 +29,10 @@ UNIFORM = reduce_blocks(rectangle([mpq(1)] * 9, [mpq(1)] * 8))
 WIDE = reduce_blocks(
     rectangle([mpq(i % 3, 4) + 1 for i in range(12)], [mpq(i % 5, 3) + 1 for i in range(11)])
 )
-"""One block with outer parts."""
+"""One block with all widths mixed."""
+
+OUTERS = reduce_blocks(rectangle([mpq(1, 9)] * 4 + [mpq(3)] * 3 + [mpq(1, 9)] * 2, [mpq(1)] * 9))
+"""One block with outer parts on both sides."""
 
 
 def every(reduced: Reduced) -> list[Finding]:
@@ -50,6 +53,14 @@ def root_with(reduced: Reduced, **changes: object) -> Reduced:
     (block,) = reduced.blocks
     nodes = (*block.nodes[:-1], block.nodes[-1]._replace(**changes))
     return replace(reduced, blocks=(block._replace(nodes=nodes),))
+
+
+def node_with(reduced: Reduced, number: int, **changes: object) -> Reduced:
+    """The record with one node changed."""
+    (block,) = reduced.blocks
+    nodes = list(block.nodes)
+    nodes[number] = nodes[number]._replace(**changes)
+    return replace(reduced, blocks=(block._replace(nodes=tuple(nodes)),))
 
 
 def with_triangles(reduced: Reduced, triangles: tuple[object, ...]) -> Reduced:
@@ -233,6 +244,39 @@ def test_no_recursion_at_all() -> None:
 @pytest.mark.parametrize("parts", [(-1, -1, -1), (0, 0, 0), (99, 1, 2)])
 def test_parts_that_are_not_its_own(parts: tuple[int, int, int]) -> None:
     assert {"lemma-12.parts", "lemma-12.count"} <= failing(root_with(UNIFORM, parts=parts))
+
+
+@pytest.mark.parametrize("reduced", [UNIFORM, WIDE, OUTERS])
+@pytest.mark.parametrize("level", [LEAF, SPLIT, OUTER])
+def test_any_node_labelled_as_another_level(reduced: Reduced, level: int) -> None:
+    for i, node in enumerate(reduced.blocks[0].nodes):
+        if node.level != level:
+            assert "lemma-12.parts" in failing(node_with(reduced, i, level=level)), (i, node)
+
+
+def test_a_block_with_no_medians_at_all() -> None:
+    """Every split labelled as an outer part: each is noticed, not the root alone."""
+    (block,) = WIDE.blocks
+    nodes = tuple(n._replace(level=OUTER) if n.level == SPLIT else n for n in block.nodes)
+    damaged = replace(WIDE, blocks=(block._replace(nodes=nodes),))
+    assert "lemma-12.parts" in failing(damaged)
+
+
+def test_an_outer_part_cut_along_its_own_strips() -> None:
+    (block,) = OUTERS.blocks
+    i = next(i for i, node in enumerate(block.nodes) if node.level == OUTER)
+    node = block.nodes[i]
+    along = node_with(
+        OUTERS, i, turned=not node.turned, strips=node.lines, lines=node.strips, removed=()
+    )
+    assert "lemma-12.parts" in {f.claim for f in check_lemma_12(along) if not f.holds}
+
+
+@pytest.mark.parametrize("changes", [{"first": 0}, {"last": 5}, {"removed": (1,)}])
+def test_a_leaf_with_strips_of_its_own(changes: dict[str, object]) -> None:
+    nodes = UNIFORM.blocks[0].nodes
+    leaf = next(i for i, node in enumerate(nodes) if node.level == LEAF)
+    assert "lemma-12.parts" in failing(node_with(UNIFORM, leaf, **changes))
 
 
 @pytest.mark.parametrize("sign", [1, -1])
