@@ -166,6 +166,30 @@ def test_an_obtuse_triangle() -> None:
     assert {"lemma-10.removed", "lemma-12.angle", "lemma-11.most"} <= failing(damaged)
 
 
+@pytest.mark.parametrize("turn", [0, 1, 2])
+@pytest.mark.parametrize("first", [False, True])
+@pytest.mark.parametrize(
+    "degenerate",
+    [((0, 0), (0, 2), (0, 1)), ((0, 0), (2, 0), (1, 0)), ((1, 1), (1, 1), (1, 1))],
+)
+def test_a_degenerate_triangle(
+    degenerate: tuple[tuple[int, int], ...], first: bool, turn: int
+) -> None:
+    """It fails the claim, and hides no obtuse triangle."""
+    degenerate = (*degenerate[turn:], *degenerate[:turn])
+    obtuse = ((0, 0), (1, 0), (9, 1))
+    more = (degenerate, obtuse) if first else (obtuse, degenerate)
+    found = check_lemma_12(with_triangles(UNIFORM, (*UNIFORM.triangles, *more)))
+    angle = next(f for f in found if f.claim == "lemma-12.angle")
+    assert (angle.holds, angle.measured) == (False, None)
+
+
+def test_rows_without_height() -> None:
+    ys = (mpq(0),) * len(UNIFORM.merged.cells.ys)
+    damaged = with_cells(UNIFORM, replace(UNIFORM.merged.cells, ys=ys))
+    assert {"lemma-12.angle", "lemma-10.removed"} <= failing(damaged)
+
+
 def test_more_triangles_than_two_a_cell() -> None:
     damaged = with_triangles(UNIFORM, UNIFORM.triangles * 5)
     assert {"lemma-12.cells", "lemma-12.power"} <= failing(damaged)

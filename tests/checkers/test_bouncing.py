@@ -49,6 +49,13 @@ def test_the_good_ones_pass(record: Bounced) -> None:
     assert not failing(record)
 
 
+def test_no_subdivision_at_all() -> None:
+    """A kite's grid has none: no triangle has more than 0, and all of them were looked at."""
+    kite = polygon([[(0, 0), (2, -1), (4, 0), (2, 1)]])
+    found = {f.claim: f for f in check_bouncing(bounce(convex_frame(kite)))}
+    assert all(f.holds for f in found.values())
+
+
 def test_a_diameter_that_is_none() -> None:
     other = next(v for v in range(FRAME.polygon.n) if v not in (FRAME.a, FRAME.b))
     assert "diameter.longest" in failing_frame(replace(FRAME, b=other))
