@@ -54,6 +54,7 @@ def check_theorem_4(
         vertices.case(v < len(mesh.vertices) and mesh.vertices[v] == p, {"vertex": v})
     rim = sum(len(leg.triangles) for leg in gridded.legs)
     return [
+        _check_record(mesh, gridded, reduced, rim),
         _check_angle(verdict),
         count.finding(
             "theorem-4.quadratic-count",
@@ -75,6 +76,23 @@ def check_theorem_4(
             "theorem-4.valid", STAGE, "the mesh is a triangulation of P, as the judge finds"
         ),
     ]
+
+
+def _check_record(mesh: Mesh, gridded: Gridded, reduced: Reduced | None, rim: int) -> Finding:
+    """Are the records of the stages those of this mesh, and of each other?"""
+    record = Violations()
+    inside = 2 * gridded.cells.number
+    if reduced is not None:
+        inside = sum(len(block.triangles) for block in reduced.blocks)
+        record.case(reduced.merged.cells == gridded.cells, "the cells")
+    made = {"triangles": len(mesh.triangles), "inside": inside, "along the boundary": rim}
+    record.case(len(mesh.triangles) == inside + rim, made)
+    return record.finding(
+        "theorem-4.record",
+        STAGE,
+        "the blocks are of the grid's own cells, and the mesh has the triangles of all blocks (of "
+        "the baseline two a cell) and those along the boundary",
+    )
 
 
 def _check_power_count(
