@@ -9,7 +9,7 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import given, settings
 
-from bern_exact.checkers import bounds_convex
+from bern_exact.checkers import bounds_convex, lemma_10
 from bern_exact.checkers.findings import Finding, demand
 from bern_exact.checkers.lemma_10 import check_lemma_10, check_lemma_10_as_printed
 from bern_exact.checkers.lemma_11 import check_lemma_11, check_lemma_11_as_printed
@@ -20,7 +20,7 @@ from bern_exact.convex.block_records import LEAF, OUTER, SPLIT, Block, Blocks, R
 from bern_exact.convex.cells import Cells
 from bern_exact.convex.merge import merge, outline
 from bern_exact.convex.reduction import reduce_blocks
-from tests.convex.samples import disc, lines, rectangle, rectangles, staircases
+from tests.convex.samples import SCALES, disc, lines, rectangle, rectangles, staircases
 from tests.convex.worst_case import worst_cases
 
 UNIFORM = reduce_blocks(rectangle([mpq(1)] * 9, [mpq(1)] * 8))
@@ -312,18 +312,44 @@ def test_a_leaf_with_strips_of_its_own(changes: dict[str, object]) -> None:
     assert "lemma-12.parts" in failing(node_with(UNIFORM, leaf, **changes))
 
 
-@pytest.mark.parametrize("sign", [1, -1])
+ROWS = reduce_blocks(rectangle([mpq(5)] * 4, [mpq(1), mpq(9), mpq(8), *[mpq(1)] * 6]))
+"""Of its lines one, between rows 9 and 8 high, cannot end at a column 5 wide."""
+
+
+@pytest.mark.parametrize(
+    ("answer", "claims"),
+    [
+        (None, {"lemma-10.iff", "lemma-10.sufficient"}),
+        (0, {"lemma-10.iff"}),
+        (1, {"lemma-10.iff", "lemma-10.sufficient"}),
+    ],
+)
 def test_the_condition_of_lemma_10_is_looked_at_both_ways(
-    sign: int, monkeypatch: pytest.MonkeyPatch
+    answer: int | None, claims: set[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of the lines one, between rows 9 and 8 high, cannot end at a column 5 wide."""
-    rows = [mpq(1), mpq(9), mpq(8), *[mpq(1)] * 6]
-    reduced = reduce_blocks(rectangle([mpq(5)] * 4, rows))
-    assert not failing(reduced)
-    monkeypatch.setattr("bern_exact.checkers.lemma_10.dot_at_subdivision", lambda *_: sign)
-    claims = failing(reduced)
-    assert "lemma-10.iff" in claims
-    assert ("lemma-10.sufficient" in claims) == (sign < 0)
+    assert not failing(ROWS)
+    monkeypatch.setattr(lemma_10, "nonobtuse_triangulation", lambda *_: answer)
+    assert failing(ROWS) == claims
+
+
+@pytest.mark.parametrize(("reduced", "factor"), [(UNIFORM, mpq(9, 10)), (ROWS, mpq(3))])
+def test_another_condition_is_not_that_of_lemma_10(
+    reduced: Reduced, factor: mpq, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def condition(a: mpq, c: mpq, d: mpq) -> tuple[mpq, mpq]:
+        return factor * a * a, c * d
+
+    monkeypatch.setattr(lemma_10, "squared_ratio", condition)
+    assert "lemma-10.iff" in {f.claim for f in check_lemma_10(reduced) if not f.holds}
+
+
+@given(SCALES, SCALES, SCALES)
+def test_a_nonobtuse_triangulation_is_that_of_the_subdivision(a: mpq, c: mpq, d: mpq) -> None:
+    """And there is one from a^2 = c d on."""
+    expected = lemma_10.AT_SUBDIVISION if a * a >= c * d else None
+    assert lemma_10.nonobtuse_triangulation(a, c, d) == expected
+    assert lemma_10.nonobtuse_triangulation(a, a * c, a / c) == lemma_10.AT_SUBDIVISION
+    assert lemma_10.nonobtuse_triangulation(a, a * c, a / c * mpq(1001, 1000)) is None
 
 
 # The printed sentences -----------------------------------------------------------------
