@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from bern_exact.checkers import bounds_bounce
+from bern_exact.checkers import bounds_bounce, bounds_convex
 from bern_exact.checkers.bounced_grid import check_grid
 from bern_exact.checkers.lemma_9 import check_lemma_9
 from bern_exact.checkers.theorem_4 import check_theorem_4
@@ -234,3 +234,20 @@ def test_a_baseline_that_splits_not_every_cell() -> None:
     verdict = verify_mesh(MESH, POLYGON)
     found = check_theorem_4(POLYGON, MESH, GOOD, None, verdict)
     assert [f.claim for f in found if not f.holds] == ["theorem-4.record"]
+
+
+@pytest.mark.parametrize(
+    ("n", "less"), [(10, False), (58 * 10**8, False), (59 * 10**8, True), (10**12, True)]
+)
+def test_where_the_bound_falls_below_the_quadratic_one(n: int, less: bool) -> None:
+    """As the statement of `theorem-4.count` says."""
+    quadratic = bounds_bounce.baseline_triangles(n)
+    assert quadratic == 324 * n * n + 54 * n
+    assert (bounds_bounce.theorem_4_triangles(n) < quadratic) == less
+
+
+@pytest.mark.parametrize(("rows", "less"), [(2, False), (406, False), (407, True), (10**5, True)])
+def test_where_the_powers_fall_below_two_a_cell(rows: int, less: bool) -> None:
+    """As the statement of `theorem-4.power-count` says."""
+    powers = bounds_convex.POWER_CONSTANT * bounds_convex.power_sum(rows, rows)
+    assert (powers < bounds_convex.grid_triangles(rows, rows)) == less
