@@ -196,13 +196,13 @@ def triangulate(
     given = {name: value for name, value in special.items() if value is not None}
     for name in given:
         if name not in OPTIONS[chosen]:
-            raise RefusedOption(f"{name.replace('_', ' ')} is not an option of Theorem {chosen}")
+            raise RefusedOption(_not_an_option(name, chosen))
+    if thin_angle is not None and not thin:
+        raise RefusedOption("thin angle needs thin")
     construct = _baseline_of(chosen, given) if baseline else THEOREMS[chosen]
     made = construct(polygon, **given, check=check, as_printed=as_printed, observer=observer)
     result = _result(made, chosen)
     if not thin:
-        if thin_angle is not None:
-            raise RefusedOption("thin angle is an option of thinning only")
         return result
     sparse = thinned(
         made,
@@ -218,6 +218,12 @@ def triangulate(
 
 def _factor(written: mpq | str | int | None) -> mpq | None:
     return written if written is None or isinstance(written, mpq) else parse_rational(str(written))
+
+
+def _not_an_option(name: str, theorem: int) -> str:
+    """What is said of an option that a theorem does not have."""
+    said = f"{name.replace('_', ' ')} is not an option of Theorem {theorem}"
+    return f"{said}: its bound is 90 degrees" if (name, theorem) == ("max_angle", 4) else said
 
 
 def _angle_bound(written: str | int) -> AngleBound:

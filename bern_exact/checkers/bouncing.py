@@ -61,6 +61,8 @@ class Replay:
         most = Extreme(greatest=True)
         for (column, side), count in number.items():
             most.offer(count, 1, {"column": column, "side": side})
+        if not number:
+            most.offer(0, 1, None)
         most.cases = 2 * (len(self.verticals) - 1)
         return most
 

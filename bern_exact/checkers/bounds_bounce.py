@@ -114,7 +114,7 @@ def theorem_4_triangles(n: int) -> int:
     """The explicit O(n^1.8475) of Theorem 4: 6.3 N^1.8475 and the rim, N = 54 n.
 
     There are at most 9 n columns and 18 n rows.  A crude bound that follows from the parts:
-    for all n in reach `baseline_triangles` is less.
+    `baseline_triangles` is less for all n up to 5.8 10^9, and more from 5.9 10^9 on.
 
     >>> theorem_4_triangles(10), theorem_4_triangles(10**6) // 10**12
     (704328, 1216)

@@ -31,6 +31,9 @@ def plain(value: Any) -> Any:
 class Extreme:
     """The least (or greatest) of many fractions, and where it is; of equal ones the first.
 
+    A denominator that is not positive makes a value of what has none, a degenerate triangle say.
+    It is worse than any other: the extreme is undefined then, and no claim about it holds.
+
     Parameters
     ----------
     greatest : bool
@@ -43,26 +46,34 @@ class Extreme:
     >>> least.offer(1, 2, "b")
     >>> least.value, least.witness, least.cases
     (mpq(1,2), 'b', 2)
+    >>> least.offer(5, 0, "c")
+    >>> least.value, least.witness, least.cases
+    (None, 'c', 3)
     """
 
-    __slots__ = ("cases", "den", "num", "sign", "witness")
+    __slots__ = ("cases", "den", "num", "sign", "undefined", "witness")
 
     def __init__(self, *, greatest: bool = False) -> None:
         self.sign = -1 if greatest else 1
         self.num: Integer = 0
         self.den: Integer = 0
         self.cases = 0
+        self.undefined = False
         self.witness: Any = None
 
     def offer(self, num: Integer, den: Integer, witness: Any) -> None:
-        """One more case, num/den with den > 0."""
+        """One more case, num/den; if den <= 0 worst of all."""
         self.cases += 1
-        if self.den == 0 or self.sign * (num * self.den - self.num * den) < 0:
+        if self.undefined:
+            return
+        if den <= 0:
+            self.num, self.den, self.witness, self.undefined = num, 0, witness, True
+        elif self.den == 0 or self.sign * (num * self.den - self.num * den) < 0:
             self.num, self.den, self.witness = num, den, witness
 
     @property
     def value(self) -> mpq | None:
-        """The extreme, None if there was no case."""
+        """The extreme, None if there was no case or one without a value."""
         return None if self.den == 0 else mpq(self.num, self.den)
 
     def finding(
@@ -78,6 +89,8 @@ class Extreme:
     ) -> Finding:
         """The claim that the extreme keeps the bound (from below, or from above if greatest).
 
+        Of no cases it holds; of cases without an extreme it does not.
+
         Parameters
         ----------
         strict : bool
@@ -87,7 +100,10 @@ class Extreme:
         """
         value = self.value
         margin = None if value is None else self.sign * (value - bound)
-        holds = margin is None or margin > 0 or (margin == 0 and not strict)
+        if margin is None:
+            holds = self.cases == 0 and not self.undefined
+        else:
+            holds = margin > 0 or (margin == 0 and not strict)
         return Finding(
             claim,
             stage,
@@ -97,7 +113,7 @@ class Extreme:
             None if value is None else exact(value if isinstance(bound, mpq) else _whole(value)),
             self.cases,
             bool(holds),
-            None if value is None else describe(self.witness),
+            describe(self.witness) if self.undefined or value is not None else None,
         )
 
 

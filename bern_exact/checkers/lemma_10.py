@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from gmpy2 import mpq, sign
+from itertools import pairwise
+
+from gmpy2 import mpq, mpz
 
 from bern_exact.checkers.block_lines import Cut, Measured, squared_ratio
 from bern_exact.checkers.bounds_convex import LEAST_WIDTH_SQUARED
@@ -11,6 +13,8 @@ from bern_exact.checkers.findings import Finding
 from bern_exact.convex.block_records import Reduced
 
 STAGE = "reduced"
+AT_SUBDIVISION = 0
+"""The subdivision, among the vertices of the pentagon."""
 
 
 def check_lemma_10(reduced: Reduced) -> tuple[Finding, ...]:
@@ -39,14 +43,14 @@ def check_lemma_10(reduced: Reduced) -> tuple[Finding, ...]:
         iff.finding(
             "lemma-10.iff",
             STAGE,
-            "A rectangle a wide with one subdivision, c and d from its ends, has no obtuse "
-            "angle at the subdivision if and only if a^2 >= c d.",
+            "A rectangle a wide with one subdivision, c and d from its ends, has a triangulation "
+            "without an obtuse angle, of the five there may be, if and only if a^2 >= c d.",
         ),
         sufficient.finding(
             "lemma-10.sufficient",
             STAGE,
-            "If the width is greater than either distance, as printed, the rectangle is "
-            "triangulated into nonobtuse triangles.",
+            "If the width is greater than either distance, as printed, none of the nine angles of "
+            "the three triangles at the subdivision is obtuse.",
         ),
         removed.finding(
             "lemma-10.removed",
@@ -90,23 +94,62 @@ def _look_at(cut: Cut, iff: Violations, sufficient: Violations, removed: Extreme
             c, d = cut.gaps[i - 1], cut.gaps[i]
             place = (cut.place, strip, node.lines[i])
             above, below = squared_ratio(a, c, d)
-            nonobtuse = dot_at_subdivision(a, c, d) >= 0
-            iff.case(nonobtuse == (above >= below), place)
+            found = nonobtuse_triangulation(a, c, d)
+            iff.case((found is not None) == (above >= below), place)
             if a > c and a > d:
-                sufficient.case(nonobtuse, place)
+                sufficient.case(found == AT_SUBDIVISION, place)
             if node.lines[i] in gone:
                 removed.offer(above, below, place)
 
 
-def dot_at_subdivision(a: mpq, c: mpq, d: mpq) -> int:
-    """The sign of the dot product at (0, c) of the directions to (a, 0) and to (a, c + d).
+def nonobtuse_triangulation(a: mpq, c: mpq, d: mpq) -> int | None:
+    """A triangulation of the rectangle with one subdivision, without an obtuse angle.
 
-    In integers, the coordinates times their common denominator.
+    All five of the pentagon of its corners and the subdivision are looked at, each the three
+    triangles at one of its vertices; those with a flat triangle are none.
 
-    >>> dot_at_subdivision(mpq(1), mpq(1, 2), mpq(2))
+    Returns
+    -------
+    int or None
+        The vertex at which the three triangles are, `AT_SUBDIVISION` if that is possible; None
+        if each triangulation has an obtuse angle.
+
+    Examples
+    --------
+    >>> nonobtuse_triangulation(mpq(1), mpq(1, 2), mpq(2))
     0
+    >>> nonobtuse_triangulation(mpq(1), mpq(2, 3), mpq(2))
     """
+    pentagon = _pentagon(a, c, d)
+    for vertex in range(len(pentagon)):
+        if _is_nonobtuse_fan(pentagon[vertex:] + pentagon[:vertex]):
+            return vertex
+    return None
+
+
+def _pentagon(a: mpq, c: mpq, d: mpq) -> list[tuple[mpz, mpz]]:
+    """The subdivision and the corners after it, counter-clockwise, times a common denominator."""
     x = a.numerator * (c.denominator * d.denominator)
-    low, middle = 0, c.numerator * (a.denominator * d.denominator)
+    middle = c.numerator * (a.denominator * d.denominator)
     high = middle + d.numerator * (a.denominator * c.denominator)
-    return int(sign(x * x + (low - middle) * (high - middle)))
+    zero = mpz(0)
+    return [(zero, middle), (zero, zero), (x, zero), (x, high), (zero, high)]
+
+
+def _is_nonobtuse_fan(pentagon: list[tuple[mpz, mpz]]) -> bool:
+    """Are the triangles at the first vertex of positive area, and none of them obtuse?"""
+    p, *others = pentagon
+    return all(_is_nonobtuse(p, q, r) for q, r in pairwise(others))
+
+
+def _is_nonobtuse(p: tuple[mpz, mpz], q: tuple[mpz, mpz], r: tuple[mpz, mpz]) -> bool:
+    """Is a triangle counter-clockwise, with three angles of at most 90 degrees?"""
+    ux, uy = q[0] - p[0], q[1] - p[1]
+    vx, vy = r[0] - q[0], r[1] - q[1]
+    wx, wy = p[0] - r[0], p[1] - r[1]
+    return bool(
+        ux * vy > uy * vx
+        and ux * wx + uy * wy <= 0
+        and ux * vx + uy * vy <= 0
+        and vx * wx + vy * wy <= 0
+    )

@@ -20,8 +20,8 @@ from bern_exact.checkers.recursion import check_recursion
 from bern_exact.convex.block_records import Block, GridPoint, Reduced, ReducedBlock, Triangle
 
 STAGE = "reduced"
-OBTUSE = (-2, 1)
-"""What is offered for a triangle that is none: below any bound."""
+UNDEFINED = (-1, 0)
+"""What is offered for a triangle that is none: no value, which is worse than any."""
 
 
 def check_lemma_12(reduced: Reduced) -> tuple[Finding, ...]:
@@ -121,26 +121,38 @@ def _cross(p: GridPoint, q: GridPoint, r: GridPoint) -> int:
 
 
 def least_cotangent(triangle: Triangle, measured: Measured) -> tuple[int | mpz, int | mpz]:
-    """The cotangent of the largest angle, if the triangle has an axis-parallel side.
+    """The cotangent of the one angle that need not be acute, if there is an axis-parallel side.
 
     0 if two sides are axis-parallel.  Otherwise, with an axis-parallel side c + d long, the foot
-    of the third corner's height a being c and d from its ends, (a^2 - c d)/(a (c + d)).
+    of the third corner's height a being c and d from its ends, (a^2 - c d)/(a (c + d)): the other
+    two angles are acute, and so the largest angle is this one whenever it is 90 degrees or more;
+    of an acute triangle it may be another one.  `UNDEFINED` of a degenerate triangle and of one
+    of another shape.
     """
     for i in range(3):
         p, q, r = triangle[i], triangle[i - 2], triangle[i - 1]
-        if (p[0] == q[0] and p[1] == r[1]) or (p[1] == q[1] and p[0] == r[0]):
-            return (0, 1) if q != p != r else OBTUSE
+        if p[0] == q[0] and p[1] == r[1]:
+            return _right(measured.height(p[1], q[1]), measured.width(p[0], r[0]))
+        if p[1] == q[1] and p[0] == r[0]:
+            return _right(measured.width(p[0], q[0]), measured.height(p[1], r[1]))
         if q[0] == r[0] and min(q[1], r[1]) < p[1] < max(q[1], r[1]):
             a = measured.width(p[0], q[0])
             return _cotangent(a, measured.height(p[1], q[1]), measured.height(p[1], r[1]))
         if q[1] == r[1] and min(q[0], r[0]) < p[0] < max(q[0], r[0]):
             a = measured.height(p[1], q[1])
             return _cotangent(a, measured.width(p[0], q[0]), measured.width(p[0], r[0]))
-    return OBTUSE
+    return UNDEFINED
 
 
-def _cotangent(a: mpq, c: mpq, d: mpq) -> tuple[mpz, mpz]:
+def _right(a: mpq, b: mpq) -> tuple[int, int]:
+    """0, if the legs have lengths."""
+    return (0, 1) if a > 0 and b > 0 else UNDEFINED
+
+
+def _cotangent(a: mpq, c: mpq, d: mpq) -> tuple[int | mpz, int | mpz]:
     """(a^2 - c d)/(a (c + d)), not reduced."""
+    if a <= 0 or c <= 0 or d <= 0:
+        return UNDEFINED
     x = a.numerator * (c.denominator * d.denominator)
     low = c.numerator * (a.denominator * d.denominator)
     high = d.numerator * (a.denominator * c.denominator)

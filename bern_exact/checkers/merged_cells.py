@@ -12,26 +12,29 @@ from bern_exact.convex.cells import Cells
 STAGE = "merged"
 
 
-def check_merged_cells(blocks: Blocks) -> tuple[Finding, ...]:
+def check_merged_cells(blocks: Blocks, gridded: Cells) -> tuple[Finding, ...]:
     """The claims of Lemma 6 on Q, an orthoconvex region of unit squares in index space.
 
     Parameters
     ----------
     blocks : Blocks
         The record.
+    gridded : Cells
+        The cells of the grid that was merged, by the record of the stage before.
 
     Returns
     -------
     tuple of Finding
-        `lemma-6.cover`, `lemma-6.vertices`.
+        `lemma-6.cells`, `lemma-6.cover`, `lemma-6.vertices`.
 
     Notes
     -----
     That blocks match needs no check: each line is whole within Q, so each side of a block has
     a vertex at every line across it.  O(V) for V vertices.
     """
-    cover, vertices = Violations(), Extreme(greatest=True)
+    same, cover, vertices = Violations(), Violations(), Extreme(greatest=True)
     cells = blocks.cells
+    same.case(cells == gridded, {"cells": cells.number, "of the grid": gridded.number})
     stacks: list[list[tuple[int, int]]] = [[] for _ in cells.low]
     for block in blocks.blocks:
         inside = 0 <= block.x0 < block.x1 <= len(stacks)
@@ -44,6 +47,7 @@ def check_merged_cells(blocks: Blocks) -> tuple[Finding, ...]:
     points = {p for block in blocks.blocks for p in ring_of(block)}
     vertices.offer(len(points), 1, None)
     return (
+        same.finding("lemma-6.cells", STAGE, "The merged cells are those of the grid."),
         cover.finding("lemma-6.cover", STAGE, "Each cell lies in exactly one block."),
         vertices.finding(
             "lemma-6.vertices",

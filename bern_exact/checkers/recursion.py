@@ -39,6 +39,8 @@ def check_recursion(reduced: Reduced, measured: Measured) -> tuple[Finding, ...]
         place = block.block
         count.case(_is_whole(block), place)
         bounds: list[int] = []
+        if block.nodes:
+            parts.case(_is_divided_afresh(block.nodes[-1]), (place, len(block.nodes) - 1))
         for i, node in enumerate(block.nodes):
             parts.case(_parts_are_right(block, i), (place, i))
             known = [bounds[j] for j in node.parts if 0 <= j < i]
@@ -56,7 +58,9 @@ def check_recursion(reduced: Reduced, measured: Measured) -> tuple[Finding, ...]
             "lemma-12.parts",
             STAGE,
             "A rectangle of the recursion is what is before, between and after the strips l and "
-            "r, with all lines but those removed between; the last is the block.",
+            "r, with all lines but those removed between; the last is the block. What is before "
+            "or after in two strips or more is cut across, as an outer part; all others are "
+            "divided afresh.",
         ),
         medians.finding(
             "lemma-12.medians",
@@ -125,21 +129,43 @@ def _parts_are_right(block: ReducedBlock, number: int) -> bool:
     if min(node.size) < 1:
         return False
     if node.level == LEAF:
-        return node.parts == (-1, -1, -1) and 1 in node.size and not node.removed
+        none = (node.parts, node.first, node.last) == ((-1, -1, -1), -1, -1)
+        return none and 1 in node.size and not (node.removed or node.turned)
     if node.level not in (SPLIT, OUTER) or not 0 <= node.first <= node.last < node.size[0]:
         return False
     if not all(a < b for lines in (node.strips, node.lines) for a, b in pairwise(lines)):
         return False
-    for j, (columns, rows) in zip(node.parts, _rectangles(node), strict=True):
+    for position, (columns, rows) in enumerate(_rectangles(node)):
+        j = node.parts[position]
         if len(columns) < 2 or len(rows) < 2:
             if j != -1:
                 return False
-        elif not 0 <= j < number or (block.nodes[j].columns, block.nodes[j].rows) != (
-            columns,
-            rows,
-        ):
+        elif not 0 <= j < number:
             return False
+        else:
+            part = block.nodes[j]
+            if (part.columns, part.rows) != (columns, rows) or not _fits(node, position, part):
+                return False
     return True
+
+
+def _fits(node: Node, position: int, part: Node) -> bool:
+    """Is a part of the level that its place in Figure 11 asks for?
+
+    Of a split, what is before l and after r is divided across by Figure 11(b) if it has two strips
+    or more.  Everything else is divided afresh.  Without this a split would be excused from its
+    medians by the label of an outer part.
+    """
+    if node.level == SPLIT and position != 1:
+        strips = len(part.columns if not node.turned else part.rows) - 1
+        if strips >= 2:
+            return part.level == OUTER and part.turned != node.turned
+    return _is_divided_afresh(part)
+
+
+def _is_divided_afresh(node: Node) -> bool:
+    """Is a rectangle with a single row or column a leaf, and any other one split by its medians?"""
+    return node.level == (LEAF if 1 in node.size else SPLIT)
 
 
 def _rectangles(node: Node) -> Iterator[Lists]:

@@ -113,7 +113,7 @@ def least_height(mesh: Mesh) -> Extreme:
 def relative(least: Extreme, squared: mpq) -> Extreme:
     """The same over s^2."""
     ratio = Extreme()
-    if least.value is not None:
+    if least.cases:
         ratio.offer(least.num * squared.denominator, least.den * squared.numerator, least.witness)
     ratio.cases = least.cases
     return ratio

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, insort
+from collections.abc import Sequence
 from enum import IntEnum
 
 from gmpy2 import mpq
@@ -78,9 +79,7 @@ class State:
 
     def is_pending(self, x: mpq, side: int) -> bool:
         """Is there still this pending subdivision?"""
-        waiting = self.pending(self.zone(x), side)
-        i = bisect_left(waiting, x)
-        return i < len(waiting) and waiting[i] == x
+        return _position(self.pending(self.zone(x), side), x) is not None
 
     def share_a_triangle(self, p: mpq, q: mpq) -> bool:
         """Are these neighbouring pending subdivisions of one side with no vertical between them?"""
@@ -114,9 +113,17 @@ class State:
         insort(self.verticals, x)
         self._is_vertical.add(x)
         for side in (UPPER, LOWER):
-            if self.is_pending(x, side):
-                self.pending(self.zone(x), side).remove(x)
+            waiting = self.pending(self.zone(x), side)
+            i = _position(waiting, x)
+            if i is not None:
+                del waiting[i]
 
     def bounced(self) -> Bounced:
         """The record of what has been done."""
         return Bounced(self.frame, tuple(self.verticals), self.first, tuple(self._events))
+
+
+def _position(increasing: Sequence[mpq], x: mpq) -> int | None:
+    """Where x is, None if it is not there."""
+    i = bisect_left(increasing, x)
+    return i if i < len(increasing) and increasing[i] == x else None

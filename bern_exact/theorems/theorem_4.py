@@ -137,7 +137,7 @@ def _reduce(cells: Cells, log: Log) -> Reduced:
     merged = merge(cells)
     log.done("merged", merged)
     if log.every_stage:
-        log.demand(check_merged_cells(merged))
+        log.demand(check_merged_cells(merged, cells))
 
     reduced = reduce_blocks(merged)
     log.done("reduced", reduced)

@@ -9,18 +9,18 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import given, settings
 
-from bern_exact.checkers import bounds_convex
+from bern_exact.checkers import bounds_convex, lemma_10
 from bern_exact.checkers.findings import Finding, demand
 from bern_exact.checkers.lemma_10 import check_lemma_10, check_lemma_10_as_printed
 from bern_exact.checkers.lemma_11 import check_lemma_11, check_lemma_11_as_printed
 from bern_exact.checkers.lemma_12 import check_lemma_12
 from bern_exact.checkers.merged_cells import boundary_edges, check_merged_cells
 from bern_exact.checkers.printed_recursion import check_lemma_12_as_printed
-from bern_exact.convex.block_records import SPLIT, Block, Blocks, Reduced
+from bern_exact.convex.block_records import LEAF, OUTER, SPLIT, Block, Blocks, Reduced
 from bern_exact.convex.cells import Cells
 from bern_exact.convex.merge import merge, outline
 from bern_exact.convex.reduction import reduce_blocks
-from tests.convex.samples import disc, lines, rectangle, rectangles, staircases
+from tests.convex.samples import SCALES, disc, lines, rectangle, rectangles, staircases
 from tests.convex.worst_case import worst_cases
 
 UNIFORM = reduce_blocks(rectangle([mpq(1)] * 9, [mpq(1)] * 8))
@@ -29,12 +29,15 @@ UNIFORM = reduce_blocks(rectangle([mpq(1)] * 9, [mpq(1)] * 8))
 WIDE = reduce_blocks(
     rectangle([mpq(i % 3, 4) + 1 for i in range(12)], [mpq(i % 5, 3) + 1 for i in range(11)])
 )
-"""One block with outer parts."""
+"""One block with all widths mixed."""
+
+OUTERS = reduce_blocks(rectangle([mpq(1, 9)] * 4 + [mpq(3)] * 3 + [mpq(1, 9)] * 2, [mpq(1)] * 9))
+"""One block with outer parts on both sides."""
 
 
 def every(reduced: Reduced) -> list[Finding]:
     return [
-        *check_merged_cells(reduced.merged),
+        *check_merged_cells(reduced.merged, reduced.merged.cells),
         *check_lemma_10(reduced),
         *check_lemma_11(reduced),
         *check_lemma_12(reduced),
@@ -50,6 +53,14 @@ def root_with(reduced: Reduced, **changes: object) -> Reduced:
     (block,) = reduced.blocks
     nodes = (*block.nodes[:-1], block.nodes[-1]._replace(**changes))
     return replace(reduced, blocks=(block._replace(nodes=nodes),))
+
+
+def node_with(reduced: Reduced, number: int, **changes: object) -> Reduced:
+    """The record with one node changed."""
+    (block,) = reduced.blocks
+    nodes = list(block.nodes)
+    nodes[number] = nodes[number]._replace(**changes)
+    return replace(reduced, blocks=(block._replace(nodes=tuple(nodes)),))
 
 
 def with_triangles(reduced: Reduced, triangles: tuple[object, ...]) -> Reduced:
@@ -100,15 +111,24 @@ def test_the_samples_are_what_they_should_be(reduced: Reduced) -> None:
 )
 def test_cells_in_no_block_or_in_two(blocks: tuple[Block, ...]) -> None:
     damaged = Blocks(UNIFORM.merged.cells, blocks)
-    assert "lemma-6.cover" in {f.claim for f in check_merged_cells(damaged) if not f.holds}
+    found = check_merged_cells(damaged, damaged.cells)
+    assert [f.claim for f in found if not f.holds] == ["lemma-6.cover"]
+
+
+def test_cells_that_are_not_the_grids() -> None:
+    """Stretched, they would be reduced otherwise, and all other claims of the stage hold."""
+    cells = UNIFORM.merged.cells
+    stretched = Blocks(replace(cells, xs=tuple(1000 * x for x in cells.xs)), UNIFORM.merged.blocks)
+    found = check_merged_cells(stretched, cells)
+    assert [f.claim for f in found if not f.holds] == ["lemma-6.cells"]
 
 
 def test_too_many_small_blocks() -> None:
     side = 80
     cells = rectangle([mpq(1)] * side, [mpq(1)] * side).cells
     single = tuple(Block(j, j + 1, i, i + 1) for j, i in product(range(side), repeat=2))
-    (cover, vertices) = check_merged_cells(Blocks(cells, single))
-    assert (cover.holds, vertices.holds) == (True, False)
+    found = check_merged_cells(Blocks(cells, single), cells)
+    assert [f.claim for f in found if not f.holds] == ["lemma-6.vertices"]
 
 
 def test_another_list_of_blocks() -> None:
@@ -153,6 +173,30 @@ def test_an_obtuse_triangle() -> None:
     cells = replace(UNIFORM.merged.cells, ys=lines([mpq(11, 10)] * 8))
     damaged = with_cells(UNIFORM, cells)
     assert {"lemma-10.removed", "lemma-12.angle", "lemma-11.most"} <= failing(damaged)
+
+
+@pytest.mark.parametrize("turn", [0, 1, 2])
+@pytest.mark.parametrize("first", [False, True])
+@pytest.mark.parametrize(
+    "degenerate",
+    [((0, 0), (0, 2), (0, 1)), ((0, 0), (2, 0), (1, 0)), ((1, 1), (1, 1), (1, 1))],
+)
+def test_a_degenerate_triangle(
+    degenerate: tuple[tuple[int, int], ...], first: bool, turn: int
+) -> None:
+    """It fails the claim, and hides no obtuse triangle."""
+    degenerate = (*degenerate[turn:], *degenerate[:turn])
+    obtuse = ((0, 0), (1, 0), (9, 1))
+    more = (degenerate, obtuse) if first else (obtuse, degenerate)
+    found = check_lemma_12(with_triangles(UNIFORM, (*UNIFORM.triangles, *more)))
+    angle = next(f for f in found if f.claim == "lemma-12.angle")
+    assert (angle.holds, angle.measured) == (False, None)
+
+
+def test_rows_without_height() -> None:
+    ys = (mpq(0),) * len(UNIFORM.merged.cells.ys)
+    damaged = with_cells(UNIFORM, replace(UNIFORM.merged.cells, ys=ys))
+    assert {"lemma-12.angle", "lemma-10.removed"} <= failing(damaged)
 
 
 def test_more_triangles_than_two_a_cell() -> None:
@@ -235,18 +279,77 @@ def test_parts_that_are_not_its_own(parts: tuple[int, int, int]) -> None:
     assert {"lemma-12.parts", "lemma-12.count"} <= failing(root_with(UNIFORM, parts=parts))
 
 
-@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("reduced", [UNIFORM, WIDE, OUTERS])
+@pytest.mark.parametrize("level", [LEAF, SPLIT, OUTER])
+def test_any_node_labelled_as_another_level(reduced: Reduced, level: int) -> None:
+    for i, node in enumerate(reduced.blocks[0].nodes):
+        if node.level != level:
+            assert "lemma-12.parts" in failing(node_with(reduced, i, level=level)), (i, node)
+
+
+def test_a_block_with_no_medians_at_all() -> None:
+    """Every split labelled as an outer part: each is noticed, not the root alone."""
+    (block,) = WIDE.blocks
+    nodes = tuple(n._replace(level=OUTER) if n.level == SPLIT else n for n in block.nodes)
+    damaged = replace(WIDE, blocks=(block._replace(nodes=nodes),))
+    assert "lemma-12.parts" in failing(damaged)
+
+
+def test_an_outer_part_cut_along_its_own_strips() -> None:
+    (block,) = OUTERS.blocks
+    i = next(i for i, node in enumerate(block.nodes) if node.level == OUTER)
+    node = block.nodes[i]
+    along = node_with(
+        OUTERS, i, turned=not node.turned, strips=node.lines, lines=node.strips, removed=()
+    )
+    assert "lemma-12.parts" in {f.claim for f in check_lemma_12(along) if not f.holds}
+
+
+@pytest.mark.parametrize("changes", [{"first": 0}, {"last": 5}, {"removed": (1,)}])
+def test_a_leaf_with_strips_of_its_own(changes: dict[str, object]) -> None:
+    nodes = UNIFORM.blocks[0].nodes
+    leaf = next(i for i, node in enumerate(nodes) if node.level == LEAF)
+    assert "lemma-12.parts" in failing(node_with(UNIFORM, leaf, **changes))
+
+
+ROWS = reduce_blocks(rectangle([mpq(5)] * 4, [mpq(1), mpq(9), mpq(8), *[mpq(1)] * 6]))
+"""Of its lines one, between rows 9 and 8 high, cannot end at a column 5 wide."""
+
+
+@pytest.mark.parametrize(
+    ("answer", "claims"),
+    [
+        (None, {"lemma-10.iff", "lemma-10.sufficient"}),
+        (0, {"lemma-10.iff"}),
+        (1, {"lemma-10.iff", "lemma-10.sufficient"}),
+    ],
+)
 def test_the_condition_of_lemma_10_is_looked_at_both_ways(
-    sign: int, monkeypatch: pytest.MonkeyPatch
+    answer: int | None, claims: set[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of the lines one, between rows 9 and 8 high, cannot end at a column 5 wide."""
-    rows = [mpq(1), mpq(9), mpq(8), *[mpq(1)] * 6]
-    reduced = reduce_blocks(rectangle([mpq(5)] * 4, rows))
-    assert not failing(reduced)
-    monkeypatch.setattr("bern_exact.checkers.lemma_10.dot_at_subdivision", lambda *_: sign)
-    claims = failing(reduced)
-    assert "lemma-10.iff" in claims
-    assert ("lemma-10.sufficient" in claims) == (sign < 0)
+    assert not failing(ROWS)
+    monkeypatch.setattr(lemma_10, "nonobtuse_triangulation", lambda *_: answer)
+    assert failing(ROWS) == claims
+
+
+@pytest.mark.parametrize(("reduced", "factor"), [(UNIFORM, mpq(9, 10)), (ROWS, mpq(3))])
+def test_another_condition_is_not_that_of_lemma_10(
+    reduced: Reduced, factor: mpq, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def condition(a: mpq, c: mpq, d: mpq) -> tuple[mpq, mpq]:
+        return factor * a * a, c * d
+
+    monkeypatch.setattr(lemma_10, "squared_ratio", condition)
+    assert "lemma-10.iff" in {f.claim for f in check_lemma_10(reduced) if not f.holds}
+
+
+@given(SCALES, SCALES, SCALES)
+def test_a_nonobtuse_triangulation_is_that_of_the_subdivision(a: mpq, c: mpq, d: mpq) -> None:
+    """And there is one from a^2 = c d on."""
+    expected = lemma_10.AT_SUBDIVISION if a * a >= c * d else None
+    assert lemma_10.nonobtuse_triangulation(a, c, d) == expected
+    assert lemma_10.nonobtuse_triangulation(a, a * c, a / c) == lemma_10.AT_SUBDIVISION
+    assert lemma_10.nonobtuse_triangulation(a, a * c, a / c * mpq(1001, 1000)) is None
 
 
 # The printed sentences -----------------------------------------------------------------

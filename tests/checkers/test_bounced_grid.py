@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from gmpy2 import mpq
 
-from bern_exact.checkers import bounds_bounce
+from bern_exact.checkers import bounds_bounce, bounds_convex
 from bern_exact.checkers.bounced_grid import check_grid
 from bern_exact.checkers.lemma_9 import check_lemma_9
 from bern_exact.checkers.theorem_4 import check_theorem_4
@@ -158,7 +158,10 @@ def test_the_mesh_passes() -> None:
 
 
 def test_a_hole_in_the_mesh() -> None:
-    assert failing_theorem(replace(MESH, triangles=MESH.triangles[1:])) == {"theorem-4.valid"}
+    assert failing_theorem(replace(MESH, triangles=MESH.triangles[1:])) == {
+        "theorem-4.record",
+        "theorem-4.valid",
+    }
 
 
 def test_a_vertex_moved_makes_an_obtuse_angle() -> None:
@@ -199,11 +202,52 @@ def test_more_triangles_than_the_bound(
 def test_blocks_too_small_for_their_triangles() -> None:
     assert isinstance(REDUCED, Reduced)
     none = replace(REDUCED, blocks=())
-    assert failing_theorem(reduced=none) == {"theorem-4.power-count"}
+    assert failing_theorem(reduced=none) == {"theorem-4.power-count", "theorem-4.record"}
 
 
 def test_long_sides_longer_than_the_boundary() -> None:
     assert isinstance(REDUCED, Reduced)
-    long = REDUCED.blocks[0]._replace(block=Block(0, 10**6, 0, 1))
+    long = REDUCED.blocks[0]._replace(block=Block(0, 10**6, 0, 1), triangles=())
     longer = replace(REDUCED, blocks=(*REDUCED.blocks, long))
     assert failing_theorem(reduced=longer) == {"theorem-4.long-sides"}
+
+
+def test_blocks_of_other_cells() -> None:
+    """As many triangles, of cells that are not the grid's."""
+    assert isinstance(REDUCED, Reduced)
+    cells = REDUCED.merged.cells
+    stretched = replace(cells, xs=tuple(1000 * x for x in cells.xs))
+    other = replace(REDUCED, merged=replace(REDUCED.merged, cells=stretched))
+    assert failing_theorem(reduced=other) == {"theorem-4.record"}
+
+
+def test_a_mesh_of_other_blocks() -> None:
+    """One triangle more in a block than in the mesh."""
+    assert isinstance(REDUCED, Reduced)
+    first, *rest = REDUCED.blocks
+    more = first._replace(triangles=(*first.triangles, first.triangles[0]))
+    other = replace(REDUCED, blocks=(more, *rest))
+    assert failing_theorem(reduced=other) == {"theorem-4.record"}
+
+
+def test_a_baseline_that_splits_not_every_cell() -> None:
+    verdict = verify_mesh(MESH, POLYGON)
+    found = check_theorem_4(POLYGON, MESH, GOOD, None, verdict)
+    assert [f.claim for f in found if not f.holds] == ["theorem-4.record"]
+
+
+@pytest.mark.parametrize(
+    ("n", "less"), [(10, False), (58 * 10**8, False), (59 * 10**8, True), (10**12, True)]
+)
+def test_where_the_bound_falls_below_the_quadratic_one(n: int, less: bool) -> None:
+    """As the statement of `theorem-4.count` says."""
+    quadratic = bounds_bounce.baseline_triangles(n)
+    assert quadratic == 324 * n * n + 54 * n
+    assert (bounds_bounce.theorem_4_triangles(n) < quadratic) == less
+
+
+@pytest.mark.parametrize(("rows", "less"), [(2, False), (406, False), (407, True), (10**5, True)])
+def test_where_the_powers_fall_below_two_a_cell(rows: int, less: bool) -> None:
+    """As the statement of `theorem-4.power-count` says."""
+    powers = bounds_convex.POWER_CONSTANT * bounds_convex.power_sum(rows, rows)
+    assert (powers < bounds_convex.grid_triangles(rows, rows)) == less

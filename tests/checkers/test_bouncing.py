@@ -49,6 +49,13 @@ def test_the_good_ones_pass(record: Bounced) -> None:
     assert not failing(record)
 
 
+def test_no_subdivision_at_all() -> None:
+    """A kite's grid has none: no triangle has more than 0, and all of them were looked at."""
+    kite = polygon([[(0, 0), (2, -1), (4, 0), (2, 1)]])
+    found = {f.claim: f for f in check_bouncing(bounce(convex_frame(kite)))}
+    assert all(f.holds for f in found.values())
+
+
 def test_a_diameter_that_is_none() -> None:
     other = next(v for v in range(FRAME.polygon.n) if v not in (FRAME.a, FRAME.b))
     assert "diameter.longest" in failing_frame(replace(FRAME, b=other))
@@ -63,9 +70,58 @@ def test_a_vertex_elsewhere() -> None:
     )
 
 
+def test_a_similarity_that_does_something_else() -> None:
+    s = FRAME.similarity
+    others = [
+        replace(s, b=-s.b),
+        replace(s, u=s.u + 1),
+        replace(s, v=s.v - 1),
+        replace(s, d=2 * s.d),
+    ]
+    for other in others:
+        assert failing_frame(replace(FRAME, similarity=other)) == {"diameter.similarity"}
+
+
+def test_a_place_too_few_or_too_many() -> None:
+    for places in (FRAME.places[:-1], (*FRAME.places, FRAME.places[0])):
+        assert "diameter.frame" in failing_frame(replace(FRAME, places=places))
+
+
+def test_a_and_b_swapped() -> None:
+    """The frame turned by 180 degrees is right in all but which of them is the first."""
+    upper, lower = (
+        Chain(tuple(1 - x for x in reversed(chain.xs)), chain.hs[::-1]) for chain in FRAME.chains
+    )
+    s = FRAME.similarity
+    turned = replace(
+        FRAME,
+        a=FRAME.b,
+        b=FRAME.a,
+        places=tuple((1 - x, -y) for x, y in FRAME.places),
+        chains=(lower, upper),
+        similarity=replace(s, a=-s.a, b=-s.b, u=s.d - s.u, v=-s.v),
+    )
+    assert failing_frame(turned) == {"diameter.first"}
+
+
+def test_another_pair_as_far_apart() -> None:
+    """A square's other diagonal."""
+    frame = convex_frame(polygon([[(0, 0), (1, 0), (1, 1), (0, 1)]]))
+    assert not failing_frame(frame)
+    found = failing_frame(replace(frame, a=3, b=1))
+    assert "diameter.first" in found
+    assert "diameter.longest" not in found
+
+
 def test_a_chain_without_a_vertex() -> None:
     upper, lower = FRAME.chains
     shorter = Chain(upper.xs[:1] + upper.xs[2:], upper.hs[:1] + upper.hs[2:])
+    assert failing_frame(replace(FRAME, chains=(shorter, lower))) == {"diameter.chains"}
+
+
+def test_a_chain_with_a_height_too_few() -> None:
+    upper, lower = FRAME.chains
+    shorter = Chain(upper.xs, upper.hs[:-1])
     assert failing_frame(replace(FRAME, chains=(shorter, lower))) == {"diameter.chains"}
 
 

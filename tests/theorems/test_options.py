@@ -17,6 +17,13 @@ from tests.theorems.families import some_polygon
     ("theorem", "options", "said"),
     [
         (1, {"max_angle": 140}, "max angle is not an option of Theorem 1"),
+        (
+            4,
+            {"max_angle": 140},
+            "max angle is not an option of Theorem 4: its bound is 90 degrees$",
+        ),
+        (4, {"squares": True}, "squares is not an option of Theorem 4$"),
+        (2, {"thin_angle": 120}, "^thin angle needs thin$"),
         (1, {"interior": "strips"}, "interior is not an option of Theorem 1"),
         (1, {"objective": "angle"}, "objective is not an option of Theorem 1"),
         (1, {"squares": True}, "squares is not an option of Theorem 1"),
