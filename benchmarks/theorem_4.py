@@ -36,7 +36,7 @@ from bern_exact.plane.validation import polygon_from_rings
 
 SIZES = (5, 10, 20, 40, 80, 160, 320, 640, 1280)
 MEASURED = ("random-hull", "regular", "parabola", "ellipse", "tiny-edges", "clustered-spiral")
-BUILT = 900_000
+BUILT = 4_000_000
 CHECKED = 640
 WANTED, AT = 0.12, 640
 

@@ -14,7 +14,7 @@ from bern_exact.interior.sweep import TooManyTriangles
 from bern_exact.plane.mesh import Mesh
 from bern_exact.theorems.assemble import CELL, RIM, Assembled
 
-MOST_TRIANGLES = 2_000_000
+MOST_TRIANGLES = 4_000_000
 """Triangles of cells that the baseline may have; more are refused."""
 
 CellTriangle = tuple[GridPoint, GridPoint, GridPoint]

@@ -99,7 +99,7 @@ def bouncing(
     InputError, LemmaViolation
         As in `theorem_4`.
     TooManyTriangles
-        If the cells would have more than 2,000,000 triangles.
+        If the cells would have more than 4,000,000 triangles.
     """
     log = Log(check, observer or Silent(), as_printed)
     gridded, feature = _grid(polygon, log)
