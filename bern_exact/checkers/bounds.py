@@ -182,7 +182,7 @@ def theorem_1_triangles(n: int, shape: BlockShape = "square") -> int:
     follows from the parts; 25 to 80 n is what is seen.
 
     >>> theorem_1_triangles(1), theorem_1_triangles(1, "corner")
-    (4849, 3674)
+    (4849, 3673)
     """
     lopped = lopped_vertices(n)
     edges = region_edges(lopped, shape)
