@@ -164,20 +164,28 @@ def failures(found: Found) -> list[str]:
 
 
 def plot(found: Found, path: Path) -> bool:
-    """Triangles over n, both ways, in log-log scale; False without matplotlib."""
+    """Triangles and seconds over n, both ways, in log-log scale; False without matplotlib."""
     try:
         from matplotlib import pyplot
     except ImportError:
         return False
-    figure, axes = pyplot.subplots(figsize=(8, 6))
+    figure, (counts, times) = pyplot.subplots(1, 2, figsize=(12, 5))
     for number, (family, rows) in enumerate(found.items()):
         records = [modes["recursion"] for _, modes in rows]
         n = [r["n"] for r in records]
         colour = f"C{number}"
-        axes.loglog(n, [r["baseline"] for r in records], "--", color=colour, alpha=0.5)
-        axes.loglog(n, [r["triangles"] for r in records], "o-", color=colour, label=family)
-    axes.set(xlabel="vertices", ylabel="triangles", title="Theorem 4; dashed: the O(n^2) algorithm")
-    axes.legend()
+        counts.loglog(n, [r["baseline"] for r in records], "--", color=colour, alpha=0.5)
+        counts.loglog(n, [r["triangles"] for r in records], "o-", color=colour, label=family)
+        for mode, style in (("recursion", "o-"), ("baseline", "--")):
+            timed = [modes[mode] for _, modes in rows if mode in modes]
+            timed = [r for r in timed if r["seconds"] > 0]
+            times.loglog(
+                [r["n"] for r in timed], [r["seconds"] for r in timed], style, color=colour
+            )
+    counts.set(xlabel="vertices", ylabel="triangles", title="Triangles; dashed: O(n^2) algorithm")
+    times.set(xlabel="vertices", ylabel="seconds", title="Seconds without checks")
+    counts.legend()
+    figure.tight_layout()
     figure.savefig(path)
     return True
 
