@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -113,15 +112,13 @@ def test_the_interiors_differ_inside_alone(kind: str, seed: int) -> None:
 
 
 @draws
-def test_the_best_interior_has_the_fewest_vertices_in_rectangles(kind: str, seed: int) -> None:
+def test_the_best_interior_has_the_fewest_triangles(kind: str, seed: int) -> None:
     polygon = some_polygon(kind, seed)
-    vertices = {}
-    for interior in METHODS:
-        records: Any = theorem_3(polygon, interior=interior, check="none").records
-        corners = [p for rectangle in records["partition"].rectangles for p in rectangle.ring()]
-        vertices[interior] = len(set(corners))
-    # Counted as if a vertex where Q touches itself were one for each sector.
-    assert vertices["best"] <= 1.01 * min(vertices["strips"], vertices["bridges"])
+    triangles = {
+        interior: len(theorem_3(polygon, interior=interior, check="none").assembled.mesh.triangles)
+        for interior in METHODS
+    }
+    assert triangles["best"] == min(triangles.values())
 
 
 def test_the_best_interior_is_the_default() -> None:
