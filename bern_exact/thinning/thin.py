@@ -205,10 +205,11 @@ class _Thinning:
         """
         grades = self.by_angle
         old = self.stars.around(group)
-        if grades is None or not _above(grades, old):
+        most = 0 if grades is None else _above(grades, old)
+        if grades is None or not most:
             return None
         new = fill(ring, grades)
-        if new is None or _above(grades, new) > _above(grades, old):
+        if new is None or _above(grades, new) > most:
             return None
         worst, before = (
             min(self.stars.cotangent(t) for t in triangles) for triangles in (new, old)
