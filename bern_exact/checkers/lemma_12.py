@@ -17,7 +17,8 @@ from bern_exact.checkers.bounds_convex import (
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.recursion import check_recursion
-from bern_exact.convex.block_records import Block, GridPoint, Reduced, ReducedBlock, Triangle
+from bern_exact.convex.block_records import Block, Reduced, ReducedBlock, Triangle
+from bern_exact.convex.cells import GridPoint
 
 STAGE = "reduced"
 UNDEFINED = (-1, 0)

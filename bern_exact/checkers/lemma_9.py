@@ -7,7 +7,8 @@ from gmpy2 import mpq
 from bern_exact.checkers import bounds_bounce as bounds
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
-from bern_exact.convex.records import Corner, Gridded, GridPoint, Leg, Position, RightTriangle
+from bern_exact.convex.cells import GridPoint
+from bern_exact.convex.records import Corner, Gridded, Leg, Position, RightTriangle
 
 STAGE = "gridded"
 

@@ -11,10 +11,7 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import NamedTuple
 
-from bern_exact.convex.cells import Cells
-
-GridPoint = tuple[int, int]
-"""Indices into the verticals and the horizontals."""
+from bern_exact.convex.cells import Cells, GridPoint
 
 Triangle = tuple[GridPoint, GridPoint, GridPoint]
 """Counter-clockwise."""

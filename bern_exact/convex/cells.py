@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from gmpy2 import mpq
 
+GridPoint = tuple[int, int]
+"""Indices into the verticals and the horizontals."""
+
 
 @dataclass(frozen=True)
 class Cells:

@@ -6,14 +6,13 @@ from collections.abc import Iterator, Sequence
 
 from gmpy2 import mpq
 
-from bern_exact.convex.cells import Cells
+from bern_exact.convex.cells import Cells, GridPoint
 from bern_exact.convex.chains import Sigma
 from bern_exact.convex.records import (
     LOWER,
     UPPER,
     Bounced,
     Gridded,
-    GridPoint,
     Leg,
     Position,
     RightTriangle,

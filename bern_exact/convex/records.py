@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from gmpy2 import mpq
 
-from bern_exact.convex.cells import Cells
+from bern_exact.convex.cells import Cells, GridPoint
 from bern_exact.exact.similarity import Similarity
 from bern_exact.plane.polygon import Polygon
 
@@ -21,9 +21,6 @@ UPPER, LOWER = 0, 1
 
 Position = tuple[mpq, mpq]
 """A point in the frame."""
-
-GridPoint = tuple[int, int]
-"""Indices into the verticals and the horizontals."""
 
 Corner = GridPoint | int
 """A crossing of lines, or the number of a foot of an altitude."""

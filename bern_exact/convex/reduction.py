@@ -19,12 +19,12 @@ from bern_exact.convex.block_records import (
     SPLIT,
     Block,
     Blocks,
-    GridPoint,
     Node,
     Reduced,
     ReducedBlock,
     Triangle,
 )
+from bern_exact.convex.cells import GridPoint
 
 NOTHING = -1
 

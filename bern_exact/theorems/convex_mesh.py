@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from gmpy2 import mpq
 
-from bern_exact.convex.cells import Cells
-from bern_exact.convex.records import Bounced, Corner, Gridded, GridPoint, RightTriangle
+from bern_exact.convex.cells import Cells, GridPoint
+from bern_exact.convex.records import Bounced, Corner, Gridded, RightTriangle
 from bern_exact.exact.points import HPoint, hpoint, reduced
 from bern_exact.exact.similarity import Similarity
 from bern_exact.interior.sweep import TooManyTriangles

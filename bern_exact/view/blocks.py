@@ -9,12 +9,11 @@ from bern_exact.convex.block_records import (
     OUTER,
     Block,
     Blocks,
-    GridPoint,
     Node,
     Reduced,
     ReducedBlock,
 )
-from bern_exact.convex.cells import Cells
+from bern_exact.convex.cells import Cells, GridPoint
 from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.view.layers import Layer
 
