@@ -1,0 +1,216 @@
+"""Triangle meshes in arrays: what the filtered judge reads, and the readers of large files make.
+
+A mesh has a million triangles more often than it has rationals that no double holds.  So its
+vertices are kept as doubles next to them, in one array, and the exact points are made one by one,
+where the doubles do not decide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+from gmpy2 import mpq, mpz
+from numpy.typing import NDArray
+
+from bern_exact.exact.errors import InputError
+from bern_exact.exact.points import HPoint, hpoint
+from bern_exact.plane.mesh import Mesh
+
+Doubles = NDArray[np.float64]
+Indices = NDArray[Any]
+"""int64; of objects if an index is longer than that."""
+
+UNIT = mpq(1, 2**52)
+"""A double of `Points.doubles` differs from its coordinate x by at most this times |x|."""
+
+LARGE, SMALL = 2**400, 2**-400
+"""Doubles whose sizes are 0 or between these neither overflow nor underflow in the filters."""
+
+
+class Points(Protocol):
+    """Exact points, and the doubles next to them."""
+
+    @property
+    def doubles(self) -> Doubles:
+        """(V, 2): within `UNIT` of each coordinate, relatively, wherever it is `tame`."""
+
+    @property
+    def exact(self) -> bool:
+        """Are the doubles the coordinates?"""
+
+    @property
+    def tame(self) -> bool:
+        """Is every coordinate 0, or between `SMALL` and `LARGE` in size?"""
+
+    def __len__(self) -> int: ...
+
+    def point(self, v: int) -> HPoint:
+        """The point of a vertex, exactly."""
+
+
+@dataclass(frozen=True)
+class DoublePoints:
+    """Points whose coordinates are doubles, exactly.
+
+    Parameters
+    ----------
+    doubles : array of float64, (V, 2)
+        Finite.
+    """
+
+    doubles: Doubles
+
+    @property
+    def exact(self) -> bool:
+        """The doubles are the coordinates."""
+        return True
+
+    @cached_property
+    def tame(self) -> bool:
+        """Is every coordinate 0, or between `SMALL` and `LARGE` in size?"""
+        return are_tame(self.doubles)
+
+    def __len__(self) -> int:
+        return len(self.doubles)
+
+    def point(self, v: int) -> HPoint:
+        """The point of a vertex, exactly.
+
+        >>> DoublePoints(np.array([[0.5, 3.0]])).point(0)
+        (mpz(1), mpz(6), mpz(2))
+        """
+        x, y = self.doubles[v].tolist()
+        return hpoint(mpq(*x.as_integer_ratio()), mpq(*y.as_integer_ratio()))
+
+
+@dataclass(frozen=True)
+class ExactPoints:
+    """Points of any coordinates.
+
+    Parameters
+    ----------
+    points : sequence of HPoint
+        The points.
+    """
+
+    points: Sequence[HPoint]
+
+    @property
+    def exact(self) -> bool:
+        """The doubles are not the coordinates (or it is not known that they are)."""
+        return False
+
+    @cached_property
+    def doubles(self) -> Doubles:
+        """The doubles nearest to the coordinates; infinite beyond all doubles."""
+        flat = [nearest_double(c, w) for x, y, w in self.points for c in (x, y)]
+        return np.array(flat, dtype=np.float64).reshape(-1, 2)
+
+    @cached_property
+    def tame(self) -> bool:
+        """Is every coordinate 0, or between `SMALL` and `LARGE` in size?"""
+        if not are_tame(self.doubles):
+            return False
+        rows, columns = np.nonzero(self.doubles == 0)
+        pairs = zip(rows.tolist(), columns.tolist(), strict=True)
+        return all(self.points[v][k] == 0 for v, k in pairs)
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def point(self, v: int) -> HPoint:
+        """The point of a vertex, exactly."""
+        return self.points[v]
+
+
+def nearest_double(numerator: mpz, denominator: mpz) -> float:
+    """The double nearest to a quotient, denominator > 0; infinite beyond all doubles."""
+    try:
+        return int(numerator) / int(denominator)  # Python rounds the quotient of ints once
+    except OverflowError:
+        return float("inf")
+
+
+def are_tame(doubles: Doubles) -> bool:
+    """Is every double 0, or between `SMALL` and `LARGE` in size?"""
+    sizes = np.abs(doubles)
+    return bool(np.all((sizes == 0) | ((sizes >= SMALL) & (sizes <= LARGE))))
+
+
+@dataclass(frozen=True)
+class ArrayMesh:
+    """A triangle mesh that nobody has judged, in arrays.
+
+    Parameters
+    ----------
+    points : Points
+        The vertices.
+    triangles : array of int64, (T, 3)
+        0-based; an index may be out of range.  Of objects if one is beyond 64 bits.
+    """
+
+    points: Points
+    triangles: Indices
+
+    @staticmethod
+    def of_doubles(doubles: Any, triangles: Any) -> ArrayMesh:
+        """The mesh of an array (V, 2) and an array (T, 3).
+
+        Raises
+        ------
+        InputError
+            Kind `schema`: other shapes, or indices that are no integers; `number`: an infinity or
+            no number at all.
+        """
+        points = np.asarray(doubles, dtype=np.float64)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise InputError("schema", f"vertices: (V, 2) is expected, not {points.shape}")
+        bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
+        if len(bad):
+            path = f"vertices[{int(bad[0])}]"
+            raise InputError("number", f"{path}: a coordinate is not finite", {"path": path})
+        return ArrayMesh(DoublePoints(points), index_array(triangles))
+
+    @staticmethod
+    def of_mesh(mesh: Mesh) -> ArrayMesh:
+        """The same mesh in arrays."""
+        return ArrayMesh(ExactPoints(mesh.vertices), index_array(mesh.triangles))
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The same mesh, every point exact: much larger."""
+        vertices = tuple(self.points.point(v) for v in range(len(self.points)))
+        return Mesh(vertices, tuple((a, b, c) for a, b, c in self.triangles.tolist()))
+
+
+def index_array(triangles: Any) -> Indices:
+    """An array (T, 3) of int64, or of Python's integers if one is longer.
+
+    Raises
+    ------
+    InputError
+        Kind `schema`: another shape, or no integers.
+
+    >>> index_array([(0, 1, 2)]).dtype, index_array([(0, 1, 2**70)]).dtype
+    (dtype('int64'), dtype('O'))
+    """
+    given = triangles if isinstance(triangles, np.ndarray) else list(triangles)
+    if len(given) == 0:
+        return np.empty((0, 3), dtype=np.int64)
+    try:
+        array = np.asarray(given)
+    except ValueError:  # rows of different lengths
+        array = np.empty(0)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise InputError("schema", "triangles: three vertex numbers each are expected")
+    if array.dtype.kind == "u" and int(array.max()) >= 2**63:
+        array = array.astype(object)
+    if array.dtype.kind in "iu":
+        return array.astype(np.int64)
+    if array.dtype.kind != "O" or not all(type(v) is int for v in array.flat):
+        raise InputError("schema", "triangles: vertex numbers are expected")
+    return array
