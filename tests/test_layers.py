@@ -34,6 +34,7 @@ LAYERS = (
     "trace",
     "progress",
     "report",
+    "commands",
     "cli",
     "__main__",
 )
