@@ -31,6 +31,7 @@ LAYERS = (
     "view",
     "api",
     "",  # bern_exact/__init__.py: the public names
+    "comparison",
     "trace",
     "progress",
     "report",
