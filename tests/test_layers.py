@@ -22,7 +22,6 @@ LAYERS = (
     "oracle",
     "theorems",
     "formats",
-    "corpus",
     "outputs",
     "certificate",
     "counts",
@@ -32,6 +31,7 @@ LAYERS = (
     "api",
     "",  # bern_exact/__init__.py: the public names
     "comparison",
+    "corpus",
     "trace",
     "progress",
     "report",
