@@ -34,6 +34,12 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "formats/triangle_mesh.py": {"numpy": "rows of words, indices"},
     "formats/triangle_poly.py": {"numpy": "indices"},
     "formats/off.py": {"numpy": "rows of words, indices"},
+    "formats/cursor.py": {"numpy": "words, by number"},
+    "formats/msh.py": {"numpy": "rows of words, indices"},
+    "formats/vtk.py": {"numpy": "indices"},
+    "formats/vtk_cells.py": {"numpy": "indices"},
+    "formats/vtu.py": {"numpy": "words, by number"},
+    "formats/meshio_files.py": {"numpy": "meshio's arrays of doubles, each exactly"},
     "formats/obj.py": {"numpy": "rows of words, indices"},
 }
 

@@ -10,7 +10,7 @@ from typing import Protocol
 
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import shown
-from bern_exact.formats import obj, off, safe_json, triangle_mesh, triangle_poly
+from bern_exact.formats import msh, obj, off, safe_json, triangle_mesh, triangle_poly, vtk, vtu
 from bern_exact.formats.mesh_json import dumps_mesh, read_mesh
 from bern_exact.plane.array_mesh import ArrayMesh
 from bern_exact.plane.mesh import Mesh
@@ -53,6 +53,9 @@ MESH_FORMATS: Mapping[str, _Reader] = {
     "node": _alone(triangle_mesh.load_mesh),
     "off": _alone(off.load_mesh),
     "obj": _alone(obj.load_mesh),
+    "msh": _alone(msh.load_mesh),
+    "vtk": _alone(vtk.load_mesh),
+    "vtu": _alone(vtu.load_mesh),
 }
 """Name of a format -> reader of a mesh."""
 
@@ -163,6 +166,9 @@ MESH_WRITERS: Mapping[str, Callable[[Mesh], Written]] = {
     "node": _write_node,
     "off": _one_file(off.dumps_mesh),
     "obj": _one_file(obj.dumps_mesh),
+    "msh": _one_file(msh.dumps_mesh),
+    "vtk": _one_file(vtk.dumps_mesh),
+    "vtu": _one_file(vtu.dumps_mesh),
 }
 """Name of a format -> writer of a mesh by itself; a CG:SHOP solution needs its instance."""
 
