@@ -32,6 +32,17 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "plane/array_mesh.py": {"numpy": "doubles that filter, indices"},
     "oracle/arguments.py": {"numpy": "arrays as users have them"},
     "oracle/boundary_rings.py": {"numpy": "indices"},
+    "formats/token_text.py": {"numpy": "words of large files; doubles nearest to decimals"},
+    "formats/triangle_mesh.py": {"numpy": "rows of words, indices"},
+    "formats/triangle_poly.py": {"numpy": "indices"},
+    "formats/off.py": {"numpy": "rows of words, indices"},
+    "formats/cursor.py": {"numpy": "words, by number"},
+    "formats/msh.py": {"numpy": "rows of words, indices"},
+    "formats/vtk.py": {"numpy": "indices"},
+    "formats/vtk_cells.py": {"numpy": "indices"},
+    "formats/vtu.py": {"numpy": "words, by number"},
+    "formats/meshio_files.py": {"numpy": "meshio's arrays of doubles, each exactly"},
+    "formats/obj.py": {"numpy": "rows of words, indices"},
 }
 
 # Path -> how long it may be, for files that are longer than others.

@@ -22,7 +22,7 @@ from bern_exact.commands.options import (
 )
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.numbers import parse_rational
-from bern_exact.formats import MESH_FORMATS, cgshop, format_of_mesh, read_instance_file, safe_json
+from bern_exact.formats import cgshop, format_of_mesh, read_instance_file, safe_json
 from bern_exact.interior.subdivided.choice import Method
 from bern_exact.interior.sweep import TooManyTriangles
 from bern_exact.outputs import emit, emit_json, write_atomically
@@ -89,7 +89,7 @@ STAGES = 11
 @click.option(
     "--to",
     "target_format",
-    type=click.Choice(MESH_FORMATS),
+    type=click.Choice(["json", "cgshop"]),
     help="The format of -o, whatever its suffix; .solution.json is cgshop.",
 )
 @from_option
