@@ -22,7 +22,6 @@ LAYERS = (
     "oracle",
     "theorems",
     "formats",
-    "corpus",
     "outputs",
     "certificate",
     "counts",
@@ -31,9 +30,12 @@ LAYERS = (
     "view",
     "api",
     "",  # bern_exact/__init__.py: the public names
+    "comparison",
+    "corpus",
     "trace",
     "progress",
     "report",
+    "commands",
     "cli",
     "__main__",
 )
