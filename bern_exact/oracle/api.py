@@ -57,7 +57,8 @@ def verify(
         There may be no more triangles.
     tolerance : number, optional
         Accept boundary vertices that are at most so far from their edges of the polygon; every
-        other test stays exact.  The verdict is then true if `within_tolerance` is.
+        other test stays exact.  A float is read as the decimal that it prints as.  The verdict is
+        then true if `within_tolerance` is.
     limit : int
         How many defects are listed.
 
@@ -90,13 +91,19 @@ def verify(
         max_angle=angle_of(max_angle),
         min_height_squared=_exact_or_none(min_height_squared, "min_height_squared"),
         max_triangles=max_triangles,
-        tolerance=_exact_or_none(tolerance, "tolerance"),
+        tolerance=_distance(tolerance),
         limit=limit,
     )
 
 
 def _exact_or_none(value: Any, place: str) -> mpq | None:
     return None if value is None else exact(value, place)
+
+
+def _distance(tolerance: Any) -> mpq | None:
+    """A tolerance; a float is read as the decimal that it prints as, as an angle is."""
+    written = str(tolerance) if isinstance(tolerance, float) else tolerance
+    return _exact_or_none(written, "tolerance")
 
 
 def verdict_on(

@@ -8,7 +8,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from bern_exact.exact.angles import Angle
-from bern_exact.exact.enclosures import decimal_enclosure, degrees_enclosure
+from bern_exact.exact.enclosures import decimal_enclosure, degrees_enclosure, sqrt_enclosure
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.exact.points import HPoint, coordinates
 
@@ -210,7 +210,9 @@ class Verdict:
         if self.max_angle is not None and self.min_height_squared is not None:
             low, high = degrees_enclosure(self.max_angle)
             angle = low if low == high else f"{low}..{high}"
-            lines[0] += f", largest angle {angle}, least squared height {self.min_height_squared}"
+            low, high = sqrt_enclosure(self.min_height_squared, 6)
+            height = low if low == high else f"{low}..{high}"
+            lines[0] += f", largest angle {angle}, least height {height}"
         lines += [f"  {defect.sentence}" for defect in self.defects[:5]]
         if len(self.defects) > 5:
             lines.append("  ...")

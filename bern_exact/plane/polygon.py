@@ -10,7 +10,7 @@ from os import PathLike
 from gmpy2 import mpq
 
 from bern_exact.exact.errors import InputError
-from bern_exact.exact.points import HPoint, Line, line_through
+from bern_exact.exact.points import HPoint, Line, coordinates, line_through
 
 
 @dataclass(frozen=True)
@@ -133,6 +133,11 @@ class Polygon:
         """The points of a ring in input order."""
         indices = self.rings[ring]
         return self.points[indices[0] : indices[0] + len(indices)]
+
+    @property
+    def coordinates(self) -> list[list[tuple[mpq, mpq]]]:
+        """Each ring's vertices as rational (x, y), in input order, the outer ring first."""
+        return [[coordinates(p) for p in self.input_ring(ring)] for ring in range(len(self.rings))]
 
     def edges(self) -> Iterator[tuple[int, int]]:
         """Every edge as (tail, head), by index."""

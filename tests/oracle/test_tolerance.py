@@ -75,6 +75,11 @@ def test_an_exactly_valid_mesh_is_valid_within_any_tolerance() -> None:
         assert verdict.valid and verdict.within_tolerance is True and not verdict.defects
 
 
+def test_a_float_is_the_decimal_that_it_prints_as() -> None:
+    assert judged(y=EPSILON, tolerance=1e-16)
+    assert not judged(y=EPSILON, tolerance=0.99e-16)
+
+
 def test_the_edge_of_a_clockwise_ring_is_named_as_in_the_input() -> None:
     off_edge = judged(y=EPSILON, ring=SQUARE[::-1]).off_edge
     assert off_edge is not None and off_edge["polygon_edge"] == [0, 2]
