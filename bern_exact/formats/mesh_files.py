@@ -10,7 +10,17 @@ from typing import Protocol
 
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import shown
-from bern_exact.formats import msh, obj, off, safe_json, triangle_mesh, triangle_poly, vtk, vtu
+from bern_exact.formats import (
+    cgshop_solution,
+    msh,
+    obj,
+    off,
+    safe_json,
+    triangle_mesh,
+    triangle_poly,
+    vtk,
+    vtu,
+)
 from bern_exact.formats.mesh_json import dumps_mesh, read_mesh
 from bern_exact.plane.array_mesh import ArrayMesh
 from bern_exact.plane.mesh import Mesh
@@ -36,8 +46,26 @@ def _alone(read: Callable[..., ArrayMesh]) -> _Reader:
 
 
 def _load_json(source: Path, /, *, binary64: bool, polygon: Path | None) -> Found:
+    """The mesh in a `bern-exact/mesh` or a CG:SHOP solution: what it holds tells which."""
+    document = safe_json.load(source)
+    if cgshop_solution.is_solution(document):
+        mesh, own = cgshop_solution.read_solution(
+            document, source, binary64=binary64, polygon=polygon
+        )
+    else:
+        mesh, own = read_mesh(document, binary64=binary64)
+    return ArrayMesh.of_mesh(mesh), own
+
+
+def _load_document(source: Path, /, *, binary64: bool, polygon: Path | None) -> Found:
     """The mesh in a `bern-exact/mesh`."""
     mesh, own = read_mesh(safe_json.load(source), binary64=binary64)
+    return ArrayMesh.of_mesh(mesh), own
+
+
+def _load_cgshop(source: Path, /, *, binary64: bool, polygon: Path | None) -> Found:
+    """The mesh of a CG:SHOP solution."""
+    mesh, own = cgshop_solution.load_mesh(source, binary64=binary64, polygon=polygon)
     return ArrayMesh.of_mesh(mesh), own
 
 
@@ -48,7 +76,8 @@ def _load_poly(source: Path, /, *, binary64: bool, polygon: Path | None) -> Foun
 
 
 MESH_FORMATS: Mapping[str, _Reader] = {
-    "json": _load_json,
+    "json": _load_document,
+    "cgshop": _load_cgshop,
     "poly": _load_poly,
     "node": _alone(triangle_mesh.load_mesh),
     "off": _alone(off.load_mesh),

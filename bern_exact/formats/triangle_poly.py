@@ -36,7 +36,8 @@ from bern_exact.plane.validation import polygon_from_rings
 def load_polygon(source: Path, /, *, binary64: bool) -> Polygon:
     """The polygon in a `.poly`; its vertices may be in the `.node` of the same name.
 
-    The outer ring comes first, then the holes in the order of their first vertices.
+    The outer ring comes first, then the holes in the order of their first vertices.  Vertices on no
+    segment are refused, as constraints, but for those of a `.node`, which may be a mesh's.
 
     Raises
     ------
@@ -53,7 +54,8 @@ def load_polygon(source: Path, /, *, binary64: bool) -> Polygon:
     """
     text = TokenText.of_file(source, comments=True, name=source.name)
     nodes, row = read_nodes(text, binary64=binary64)
-    if len(nodes.points) == 0:
+    elsewhere = len(nodes.points) == 0
+    if elsewhere:
         nodes = load_nodes(beside(source, ".node"), binary64=binary64)
     points = [nodes.points.point(v) for v in range(len(nodes.points))]
     segments, row = _segments(text, row, nodes)
@@ -62,7 +64,9 @@ def load_polygon(source: Path, /, *, binary64: bool) -> Polygon:
         count = text.whole(int(text.row_first[row]), "the number of regions")
         rows(text, row + 1, count, 3, "region")
         check_end(text, row + 1 + count)
-    rings = [[points[v] for v in ring] for ring in _rings(segments, len(points), nodes.first)]
+    rings = [
+        [points[v] for v in ring] for ring in _rings(segments, len(points), nodes.first, elsewhere)
+    ]
     if not rings:
         raise InputError("too-few-vertices", "the outer ring has no vertices", {"ring": 0})
     outer = _outermost(rings)
@@ -96,8 +100,10 @@ def _hole_points(text: TokenText, row: int, binary64: bool) -> tuple[list[HPoint
     return [found.point(i) for i in range(count)], row + 1 + count
 
 
-def _rings(segments: Indices, size: int, base: int) -> list[list[int]]:
+def _rings(segments: Indices, size: int, base: int, elsewhere: bool) -> list[list[int]]:
     """The rings that segments form, each from its least vertex along its first segment there.
+
+    Vertices on no segment are passed over if they stand in another file.
 
     Raises
     ------
@@ -111,12 +117,12 @@ def _rings(segments: Indices, size: int, base: int) -> list[list[int]]:
         neighbours[b].append(a)
         leaving.setdefault(a, b)
     for v, around in enumerate(neighbours):
-        if len(around) != 2:
+        if len(around) != 2 and not (elsewhere and not around):
             message = f"vertex {v + base} is on {len(around)} segments: only closed rings are read"
             raise InputError("unsupported", message, {"vertex": v + base})
     rings, seen = [], bytearray(size)
     for start in range(size):
-        if seen[start]:
+        if seen[start] or not neighbours[start]:
             continue
         ring, v, following = [], start, leaving.get(start, neighbours[start][0])
         while not seen[v]:
