@@ -18,7 +18,7 @@ from bern_exact.commands.options import (
 from bern_exact.comparison import Row, compare
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.numbers import parse_rational
-from bern_exact.formats import read_mesh_file
+from bern_exact.formats import MESH_FORMATS, read_array_mesh_file
 from bern_exact.oracle.api import verdict_on
 from bern_exact.oracle.verdict import Verdict
 from bern_exact.outputs import emit, emit_json, write_atomically
@@ -32,6 +32,12 @@ from bern_exact.view.triangulation import draw_triangulation
 @click.command("verify")
 @click.argument("mesh", type=SOURCE)
 @click.option("--polygon", type=SOURCE, help="What it should triangulate.")
+@click.option(
+    "--from",
+    "source_format",
+    type=click.Choice(list(MESH_FORMATS)),
+    help="The format of MESH, whatever its suffix.",
+)
 @click.option(
     "--max-angle", callback=parsed_by(parse_angle_bound), help="Degrees (149.5) or cos:S:p/q."
 )
@@ -57,6 +63,7 @@ from bern_exact.view.triangulation import draw_triangulation
 def verify_command(
     mesh: Path,
     polygon: Path | None,
+    source_format: str | None,
     max_angle: AngleBound | None,
     min_height_squared: mpq | None,
     max_triangles: int | None,
@@ -72,7 +79,9 @@ def verify_command(
 
     Exit code 0 if it is and keeps every bound asked for, 1 if not.
     """
-    found, own = read_mesh_file(mesh, binary64=numbers == "binary64")
+    found, own = read_array_mesh_file(
+        mesh, binary64=numbers == "binary64", format=source_format, polygon_path=polygon
+    )
     target = Polygon.load(polygon, numbers=numbers) if polygon else own
     for option, given in (("--tolerance", tolerance is not None), ("--compare", compared)):
         if given and target is None:
@@ -87,7 +96,7 @@ def verify_command(
         limit=limit,
     )
     if svg:
-        _draw_if_possible(svg, found, target)
+        _draw_if_possible(svg, found.mesh, target)
     rows = _compared(verdict, target) if compared and target else ()
     record = verdict.to_json()
     if compared:

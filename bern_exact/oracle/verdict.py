@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -77,10 +78,7 @@ class Defect:
         """
         words = DEFECTS[self.kind]
         if "distance" in self.witness:
-            low, _ = self.witness["distance"]
-            _, ulps = self.witness["ulps"]
-            edge = self.witness["polygon_edge"]
-            words += f": {low}... or less than {ulps} ulps from edge {edge}"
+            words += f": {distance_words(self.witness)}"
         return f"{self.message} ({words})"
 
     def to_json(self) -> dict[str, Any]:
@@ -91,6 +89,19 @@ class Defect:
             "message": self.message,
             "witness": self.witness,
         }
+
+
+def distance_words(witness: Mapping[str, Any]) -> str:
+    """How far a vertex is from where it belongs, in a few words.
+
+    >>> distance_words({"polygon_edge": [0, 7], "distance": ["0.25", "0.25"], "ulps": ["9", "9.1"]})
+    '0.25 or less than 9.1 ulps from edge [0, 7]'
+    """
+    low, high = witness["distance"]
+    shown = low if low == high else f"{low[:8]}...{low[len(low.partition('e')[0]) :]}"
+    edge, corner = witness.get("polygon_edge"), witness.get("polygon_vertex")
+    place = f"edge {edge}" if corner is None else f"the polygon's vertex {corner}"
+    return f"{shown} or less than {witness['ulps'][1]} ulps from {place}"
 
 
 class Findings:
@@ -142,14 +153,14 @@ class Verdict:
     angle_classes : dict
         The number of triangles in each of `ANGLE_CLASSES`.
     within_tolerance : bool or None
-        Whether the mesh is valid but for boundary vertices at most `tolerance` off their edges of
-        the polygon; None if that was not asked.
+        Whether the mesh is valid but for boundary vertices at most `tolerance` off their edges or
+        vertices of the polygon; None if that was not asked.
     tolerance : mpq or None
         The distance that was asked.
     off_edge : dict or None
-        How many boundary vertices are off their edges, and the one that is by most: `vertices`,
-        `vertex`, `point`, `polygon_edge`, `distance_squared`, `distance`, `ulps`.  None if there is
-        none, or it is not known which edge is whose; see `departures`.
+        How many boundary vertices are not where they belong, and the one that is furthest:
+        `vertices`, `vertex`, `point`, `polygon_edge` or `polygon_vertex`, `distance_squared`,
+        `distance`, `ulps`.  None if there is none, or it is not known where; see `departures`.
     feature_size_squared : mpq or None
         s^2 of the polygon (Definition 1); None without a polygon or from a judge alone.
     polygon_vertices : int or None
