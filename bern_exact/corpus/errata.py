@@ -28,7 +28,8 @@ class Erratum:
     Parameters
     ----------
     claims : tuple of str
-        The claims of role "as-printed" that do not hold on it.
+        The claims of role "as-printed" that do not hold on it; none if it refutes a sentence about
+        regions inside the grid, being such a region itself.
     theorem : int
         The theorem on whose way they are evaluated.
     says : str
@@ -128,6 +129,20 @@ ERRATA = (
         _turned(
             [(0, 0), (mpq(150097, 250), mpq(44606, 125)), (500, 900), (-50, 900), (-2, 3)],
         ),
+    ),
+    Erratum(
+        (),
+        2,
+        "Refutes Lemma 6's boundary of length O(n) under a fixed parity, as a region of unit cells: "
+        "cutting off squares so that corners become even makes it grow from 22 edges to 24.",
+        [[(0, 0), (6, 0), (6, 4), (3, 4), (3, 3), (2, 3), (2, 4), (0, 4)]],
+    ),
+    Erratum(
+        (),
+        2,
+        "Refutes the placement of Steiner points in Lemma 7, as a rectangle with subdivisions at "
+        "least 1 apart: (2, 1) is allowed, and either diagonal beside it leaves 146 degrees or more.",
+        [[(0, 0), (20, 0), (20, 2), (10, 2), (0, 2), (0, 1)]],
     ),
     Erratum(
         ("bounce.printed-return",),

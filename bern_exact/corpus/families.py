@@ -97,8 +97,11 @@ def drawn(family: Family, seed: str, given: Mapping[str, int] | None = None) -> 
 
     Examples
     --------
-    >>> drawn(FAMILIES["comb"], "any seed", {"teeth": 2, "digits": 1}).rings
-    [[(0, -1), (3, -1), (3, 10), (2, 10), (2, 0), (1, 0), (1, 10), (0, 10)]]
+    >>> made = drawn(FAMILIES["paper-holes"], "any seed", {"side": 1})
+    >>> made.rings
+    [[(-4, -4), (5, -4), (5, 5), (-4, 5)], [(0, 0), (0, 1), (1, 1), (1, 0)]]
+    >>> made.flags[:4]
+    ('listed', 'reflex', 'holes', 'right-angles')
     """
     given = {} if given is None else given
     _refuse_unknown(family, given)
