@@ -11,6 +11,7 @@ from random import Random
 
 from gmpy2 import mpq, mpz, sign
 
+from bern_exact.corpus.draws import distinct, pick, shuffle
 from bern_exact.corpus.shapes import SIZE
 
 Rational = int | mpq
@@ -60,7 +61,7 @@ def random_hull(n: int, seed: int = 0) -> Rings:
     Edges of very different lengths, in no order.
     """
     random = Random(seed)
-    places = [circle_point(i, TURNS) for i in random.sample(range(TURNS), n)]
+    places = [circle_point(i, TURNS) for i in distinct(random, TURNS, n)]
     return [hull([(int(x * 2**20), int(y * 2**20)) for x, y in places])]
 
 
@@ -172,7 +173,7 @@ def random_convex(n: int, seed: int = 0) -> Rings:
     """
     random = Random(seed)
     xs, ys = (_random_steps(n, random) for _ in range(2))
-    random.shuffle(ys)
+    shuffle(random, ys)
     ring: list[Place] = []
     x = y = 0
     for dx, dy in sorted(zip(xs, ys, strict=True), key=cmp_to_key(_compare_directions)):
@@ -183,10 +184,10 @@ def random_convex(n: int, seed: int = 0) -> Rings:
 
 def _random_steps(n: int, random: Random) -> list[int]:
     """n integers other than 0 with the sum 0: the steps of two walks to the right, one turned."""
-    marks = sorted(random.sample(range(SIZE), n))
+    marks = sorted(distinct(random, SIZE, n))
     steps, last = [], {1: marks[0], -1: marks[0]}
     for mark in marks[1:-1]:
-        way = random.choice((1, -1))
+        way = pick(random, (1, -1))
         steps.append(way * (mark - last[way]))
         last[way] = mark
     return [*steps, marks[-1] - last[1], last[-1] - marks[-1]]

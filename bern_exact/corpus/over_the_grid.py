@@ -13,6 +13,7 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.frame import frame
 from bern_exact.boundary.lop import lop
+from bern_exact.corpus.draws import pick
 from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.exact.roots import sqrt_below
 from bern_exact.exact.similarity import Similarity
@@ -145,14 +146,14 @@ def _near_half(random: Random) -> mpq:
     """A coordinate in (0, 1): anywhere, or within some power of ten of 1/2."""
     if random.randrange(3) == 0:
         return mpq(random.randrange(1, 1000), 1000)
-    return mpq(1, 2) + mpq(random.choice((-1, 1)), 10 ** random.randrange(1, 9))
+    return mpq(1, 2) + mpq(pick(random, (-1, 1)), 10 ** random.randrange(1, 9))
 
 
 def _aim(random: Random, v: Vector) -> Vector:
     """A direction from v towards a place near a grid point of its block, about tau from it."""
     while True:
         x, y = mpq(random.randrange(-1, 3)), mpq(random.randrange(-1, 3))
-        near = mpq(random.randrange(-9, 10), 64) + mpq(random.choice((-1, 1)), 10**6)
+        near = mpq(random.randrange(-9, 10), 64) + mpq(pick(random, (-1, 1)), 10**6)
         if random.randrange(2):
             x += near
         else:
