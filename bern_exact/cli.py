@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from bern_exact import __version__
+from bern_exact.commands.convert import convert_command
 from bern_exact.commands.facts import facts_command
 from bern_exact.commands.triangulate import triangulate_command
 from bern_exact.commands.verify import verify_command
@@ -16,5 +17,5 @@ def cli() -> None:
     """Triangulate polygons without large angles, exactly, every lemma checked on the way."""
 
 
-for command in (triangulate_command, verify_command, facts_command):
+for command in (triangulate_command, verify_command, facts_command, convert_command):
     cli.add_command(command)

@@ -65,10 +65,12 @@ def load_mesh(source: Path, /, *, binary64: bool) -> ArrayMesh:
 def _kinds(text: TokenText) -> tuple[Chosen, Chosen]:
     """Which rows are vertices, and which faces."""
     first = text.row_first
-    single = text.ends[first] - text.starts[first] == 1
-    letter = np.frombuffer(text.data, dtype=np.uint8)[text.starts[first]]
-    vertex, face = single & (letter == ord("v")), single & (letter == ord("f"))
-    for word in first[~(vertex | face)].tolist():
+    letters = np.frombuffer(text.data, dtype=np.uint8)
+    start, size = text.starts[first], text.ends[first] - text.starts[first]
+    letter, last = letters[start], letters[text.ends[first] - 1]
+    vertex, face = (size == 1) & (letter == ord("v")), (size == 1) & (letter == ord("f"))
+    often = (size == 2) & (letter == ord("v")) & ((last == ord("t")) | (last == ord("n")))
+    for word in first[~(vertex | face | often)].tolist():
         keyword = text.raw(word)
         if keyword in _FREE_FORM:
             message = f"free-form curves and surfaces are not read: {shown(text.text(word))}"

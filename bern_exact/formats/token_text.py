@@ -37,6 +37,8 @@ _BLANKS = b" \t\r\n\v\f"
 _DIGITS = b"0123456789+-"
 _IS_BLANK = np.isin(np.arange(256), np.frombuffer(_BLANKS, dtype=np.uint8))
 
+_ENDS_NUMBER = np.isin(np.arange(256), np.frombuffer(b"0123456789.", dtype=np.uint8))
+
 _LONGEST_INT64 = 18
 """Integers of so many characters are below 2^63."""
 
@@ -190,7 +192,12 @@ class TokenText:
     # ------------------------------------------------------------------ numbers in bulk
 
     def _alone(self, chosen: Chosen, alphabet: bytes) -> bytes | None:
-        """A text of the chosen words alone; None if they have characters of no number."""
+        """A text of the chosen words alone; None if some have characters of no number, or end so.
+
+        (numpy reads a sign alone as the integer 0.)
+        """
+        if not _ENDS_NUMBER[self._bytes[self.ends[chosen] - 1]].all():
+            return None
         begin, end = int(self.starts[chosen[0]]), int(self.ends[chosen[-1]])
         if chosen[-1] - chosen[0] + 1 == len(chosen):
             text = self.data[begin:end]
@@ -227,7 +234,7 @@ class TokenText:
         text = self.text(word)
         if not _WHOLE.fullmatch(text):
             kind, why = "syntax", "is not an integer"
-            if text.lstrip("+-").isdigit():
+            if re.fullmatch(r"[+-]?[0-9]+", text):
                 kind, why = "number", "is too long for an index"
             raise self.refuse(kind, f"{shown(text)} {why}", word)
         return int(mpz(text.lstrip("+")))

@@ -160,8 +160,7 @@ def _triangles(source: Path, base: int) -> Indices:
             raise text.refuse("unsupported", message, 1)
     first = rows(text, 1, count, 4, "triangle")
     check_end(text, 1 + count)
-    text.integers(first)
-    return text.integers(columns(first, 1, 2, 3)) - base
+    return text.integers(columns(first, 0, 1, 2, 3))[:, 1:] - base
 
 
 def dumps_mesh(mesh: Mesh) -> tuple[str, str, int]:

@@ -36,10 +36,11 @@ class _Array:
     components: str
     pieces: list[str] = field(default_factory=list)
 
-    def text(self, name: str) -> TokenText:
+    @property
+    def text(self) -> TokenText:
         """The words of the array."""
         data = "".join(self.pieces).encode("ascii", "backslashreplace")
-        return TokenText(data, f"array {name}", self.line)
+        return TokenText(data, first_line=self.line)
 
 
 class _Scanner:
@@ -61,6 +62,8 @@ class _Scanner:
         """Go through the file."""
         try:
             self.parser.Parse(data, True)
+        except InputError:
+            raise
         except expat.ExpatError as error:
             reason = expat.ErrorString(error.code)
             raise _refused("syntax", f"no XML: {reason}", error.lineno) from None
@@ -138,7 +141,7 @@ def load_mesh(source: Path, /, *, binary64: bool) -> ArrayMesh:
         if name not in scanner.arrays:
             line = scanner.parser.CurrentLineNumber
             raise _refused("syntax", f"the Piece has no array {name!r} in ASCII", line)
-        texts[name] = scanner.arrays[name].text(name)
+        texts[name] = scanner.arrays[name].text
     points = _points(texts["points"], scanner, binary64)
     kinds, ends = (text.integers(_all(text)) for text in (texts["types"], texts["offsets"]))
     for name, found in (("NumberOfCells", len(ends)), ("NumberOfPoints", len(points))):

@@ -52,10 +52,10 @@ class Polygon:
         Parameters
         ----------
         path : path
-            The format follows its suffix.
+            The format follows its suffix: .json, .poly, .wkt or .geojson.
         numbers : {"decimal", "binary64"}
             Read a decimal as exactly that, or as the double nearest to it.
-        format : {"json", "cgshop"}, optional
+        format : {"json", "cgshop", "poly", "wkt", "geojson"}, optional
             Whatever the suffix and the file say.
 
         Raises

@@ -1,6 +1,6 @@
 """Writes the files here by the real packages: `python make.py` where they are installed.
 
-The outline is an L with a square hole; its files are read by the tests, the packages are not needed.
+The outline is an L with a square hole.  The tests read the files and do without the packages.
 """
 
 from pathlib import Path
