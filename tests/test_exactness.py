@@ -57,8 +57,6 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "formats/vtu.py": {"numpy": "words, by number"},
     "formats/meshio_files.py": {"numpy": "meshio's arrays of doubles, each exactly"},
     "formats/obj.py": {"numpy": "rows of words, indices"},
-    "oracle/arguments.py": {"numpy": "arrays as users have them"},
-    "oracle/boundary_rings.py": {"numpy": "indices"},
 }
 
 # Path -> how long it may be, for files that are longer than others.

@@ -2,6 +2,7 @@
 
 from bern_exact.formats.mesh_files import (
     MESH_FORMATS,
+    MESH_READERS,
     MESH_WRITERS,
     Written,
     format_of_mesh,
@@ -17,6 +18,7 @@ from bern_exact.formats.polygon_files import (
 
 __all__ = [
     "MESH_FORMATS",
+    "MESH_READERS",
     "MESH_WRITERS",
     "POLYGON_FORMATS",
     "POLYGON_WRITERS",
