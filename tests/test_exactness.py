@@ -23,6 +23,7 @@ DISPLAY: dict[str, str] = {}
 # Path -> the proved bound by which a float there may decide, and what decides beyond it.
 FILTERS: dict[str, str] = {
     "plane/array_mesh.py": "doubles next to exact coordinates, within 2^-52 of them",
+    "plane/text_points.py": "the same, of numbers that are still text",
 }
 
 # Path -> the modules named below that it may import, with the reason.
@@ -30,6 +31,7 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "corpus/shapes.py": {"random": "integers from a seed"},
     "corpus/convex.py": {"random": "integers from a seed"},
     "plane/array_mesh.py": {"numpy": "doubles that filter, indices"},
+    "plane/text_points.py": {"numpy": "doubles that filter"},
 }
 
 # Path -> how long it may be, for files that are longer than others.

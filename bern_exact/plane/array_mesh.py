@@ -7,13 +7,13 @@ where the doubles do not decide.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
-from gmpy2 import mpq, mpz
+from gmpy2 import lcm, mpq, mpz
 from numpy.typing import NDArray
 
 from bern_exact.exact.errors import InputError
@@ -21,14 +21,21 @@ from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.plane.mesh import Mesh
 
 Doubles = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 Indices = NDArray[Any]
 """int64; of objects if an index is longer than that."""
+
+Lattice = tuple[Doubles, int]
+"""Doubles and D: they are D times the coordinates, exactly."""
 
 UNIT = mpq(1, 2**52)
 """A double of `Points.doubles` differs from its coordinate x by at most this times |x|."""
 
-LARGE, SMALL = 2**400, 2**-400
+LARGE, SMALL = 2**150, 2**-150
 """Doubles whose sizes are 0 or between these neither overflow nor underflow in the filters."""
+
+WHOLE = 2**53
+"""Integers below this are doubles."""
 
 
 class Points(Protocol):
@@ -36,15 +43,27 @@ class Points(Protocol):
 
     @property
     def doubles(self) -> Doubles:
-        """(V, 2): within `UNIT` of each coordinate, relatively, wherever it is `tame`."""
+        """(V, 2): the doubles nearest to the coordinates, infinite beyond all doubles.
+
+        So equal coordinates have equal doubles; and a double is within `UNIT` of its coordinate,
+        relatively, wherever that is not `wild`.
+        """
 
     @property
     def exact(self) -> bool:
         """Are the doubles the coordinates?"""
 
     @property
+    def wild(self) -> Flags:
+        """(V,): is a coordinate neither 0 nor between `SMALL` and `LARGE` in size?"""
+
+    @property
     def tame(self) -> bool:
-        """Is every coordinate 0, or between `SMALL` and `LARGE` in size?"""
+        """Is no vertex wild?"""
+
+    @property
+    def lattice(self) -> Lattice | None:
+        """Doubles that are all coordinates times one positive integer; None if none are known."""
 
     def __len__(self) -> int: ...
 
@@ -70,9 +89,19 @@ class DoublePoints:
         return True
 
     @cached_property
+    def wild(self) -> Flags:
+        """(V,): is a coordinate neither 0 nor between `SMALL` and `LARGE` in size?"""
+        return are_wild(self.doubles)
+
+    @property
     def tame(self) -> bool:
-        """Is every coordinate 0, or between `SMALL` and `LARGE` in size?"""
-        return are_tame(self.doubles)
+        """Is no vertex wild?"""
+        return not self.wild.any()
+
+    @property
+    def lattice(self) -> Lattice | None:
+        """The doubles themselves."""
+        return self.doubles, 1
 
     def __len__(self) -> int:
         return len(self.doubles)
@@ -111,13 +140,26 @@ class ExactPoints:
         return np.array(flat, dtype=np.float64).reshape(-1, 2)
 
     @cached_property
+    def wild(self) -> Flags:
+        """(V,): is a coordinate neither 0 nor between `SMALL` and `LARGE` in size?"""
+        wild = are_wild(self.doubles)
+        for v, k in np.argwhere(self.doubles == 0).tolist():
+            wild[v] |= self.points[v][k] != 0
+        return wild
+
+    @property
     def tame(self) -> bool:
-        """Is every coordinate 0, or between `SMALL` and `LARGE` in size?"""
-        if not are_tame(self.doubles):
-            return False
-        rows, columns = np.nonzero(self.doubles == 0)
-        pairs = zip(rows.tolist(), columns.tolist(), strict=True)
-        return all(self.points[v][k] == 0 for v, k in pairs)
+        """Is no vertex wild?"""
+        return not self.wild.any()
+
+    @cached_property
+    def lattice(self) -> Lattice | None:
+        """The coordinates times their common denominator, if these are integers below `WHOLE`."""
+        scale = common_multiple(w for _, _, w in self.points)
+        if scale is None:
+            return None
+        flat = [c * (scale // w) for x, y, w in self.points for c in (x, y)]
+        return lattice_of(flat, scale)
 
     def __len__(self) -> int:
         return len(self.points)
@@ -127,18 +169,41 @@ class ExactPoints:
         return self.points[v]
 
 
+def common_multiple(numbers: Iterable[mpz | int]) -> int | None:
+    """The least common multiple of positive integers, if it is below `WHOLE`.
+
+    >>> common_multiple([4, 6]), common_multiple([2**30, 3**30])
+    (12, None)
+    """
+    multiple = mpz(1)
+    for number in numbers:
+        if multiple % number:
+            multiple = lcm(multiple, number)
+            if multiple >= WHOLE:
+                return None
+    return int(multiple)
+
+
+def lattice_of(integers: Sequence[mpz | int], scale: int) -> Lattice | None:
+    """Integers x0, y0, x1, y1, ... as the lattice of points, if all are below `WHOLE`."""
+    if integers and max(max(integers), -min(integers)) >= WHOLE:
+        return None
+    return np.array(list(map(int, integers)), dtype=np.float64).reshape(-1, 2), scale
+
+
 def nearest_double(numerator: mpz, denominator: mpz) -> float:
     """The double nearest to a quotient, denominator > 0; infinite beyond all doubles."""
     try:
         return int(numerator) / int(denominator)  # Python rounds the quotient of ints once
     except OverflowError:
-        return float("inf")
+        return float("inf" if numerator > 0 else "-inf")
 
 
-def are_tame(doubles: Doubles) -> bool:
-    """Is every double 0, or between `SMALL` and `LARGE` in size?"""
+def are_wild(doubles: Doubles) -> Flags:
+    """Of which rows is a double neither 0 nor between `SMALL` and `LARGE` in size?"""
     sizes = np.abs(doubles)
-    return bool(np.all((sizes == 0) | ((sizes >= SMALL) & (sizes <= LARGE))))
+    wild: Flags = ~((sizes == 0) | ((sizes >= SMALL) & (sizes <= LARGE))).all(axis=1)
+    return wild
 
 
 @dataclass(frozen=True)
@@ -209,6 +274,8 @@ def index_array(triangles: Any) -> Indices:
         raise InputError("schema", "triangles: three vertex numbers each are expected")
     if array.dtype.kind == "u" and int(array.max()) >= 2**63:
         array = array.astype(object)
+    elif array.dtype.kind == "f":  # numpy makes doubles of integers beyond 64 bits
+        array = np.array(given, dtype=object)
     if array.dtype.kind in "iu":
         return array.astype(np.int64)
     if array.dtype.kind != "O" or not all(type(v) is int for v in array.flat):
