@@ -32,6 +32,7 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "corpus/convex.py": {"random": "integers from a seed"},
     "plane/array_mesh.py": {"numpy": "doubles that filter, indices"},
     "plane/text_points.py": {"numpy": "doubles that filter"},
+    "formats/mesh_json.py": {"numpy": "indices"},
 }
 
 # Path -> how long it may be, for files that are longer than others.
