@@ -57,19 +57,31 @@ def verify_mesh(
     sides = _look_at_edges(mesh.vertices, sound, shapes.signs, found)
     look_at_sides(mesh.vertices, sides, polygon, found)
     shapes.measure(Bounds(max_angle, min_height_squared), found)
-    if max_triangles is not None and len(mesh.triangles) > max_triangles:
-        witness = {"triangles": len(mesh.triangles), "bound": max_triangles}
-        found.add("too-many-triangles", {}, witness)
+    look_at_number(len(mesh.triangles), max_triangles, found)
+    size = len(mesh.triangles), len(mesh.vertices)
+    return verdict_of(found, *size, shapes.extremes, shapes.classes)
+
+
+def look_at_number(triangles: int, most: int | None, found: Findings) -> None:
+    """Say that there are too many triangles, if there are."""
+    if most is not None and triangles > most:
+        found.add("too-many-triangles", {}, {"triangles": triangles, "bound": most})
+
+
+def verdict_of(
+    found: Findings, triangles: int, vertices: int, extremes: Extremes, classes: Sequence[int]
+) -> Verdict:
+    """The verdict from all that was found."""
     return Verdict(
         valid=found.valid,
         defects=tuple(found.defects),
-        triangles=len(mesh.triangles),
-        vertices=len(mesh.vertices),
-        max_angle=shapes.extremes.max_angle,
-        max_angle_triangle=shapes.extremes.max_angle_triangle,
-        min_height_squared=shapes.extremes.min_height_squared,
-        min_height_triangle=shapes.extremes.min_height_triangle,
-        angle_classes=dict(zip(ANGLE_CLASSES, shapes.classes, strict=True)),
+        triangles=triangles,
+        vertices=vertices,
+        max_angle=extremes.max_angle,
+        max_angle_triangle=extremes.max_angle_triangle,
+        min_height_squared=extremes.min_height_squared,
+        min_height_triangle=extremes.min_height_triangle,
+        angle_classes=dict(zip(ANGLE_CLASSES, classes, strict=True)),
     )
 
 

@@ -31,7 +31,7 @@ Lattice = tuple[Doubles, int]
 UNIT = mpq(1, 2**52)
 """A double of `Points.doubles` differs from its coordinate x by at most this times |x|."""
 
-LARGE, SMALL = 2**150, 2**-150
+LARGE, SMALL = 2**100, 2**-100
 """Doubles whose sizes are 0 or between these neither overflow nor underflow in the filters."""
 
 WHOLE = 2**53

@@ -37,10 +37,10 @@ def test_doubles_are_read_exactly(pairs: list[tuple[float, float]]) -> None:
     [
         (mpq(0), True),
         (mpq(1, 3), True),
-        (mpq(2) ** 150, True),
-        (mpq(2) ** 151, False),
+        (mpq(2) ** 100, True),
+        (mpq(2) ** 101, False),
         (mpq(2) ** 2000, False),
-        (mpq(1, mpq(2) ** 151), False),
+        (mpq(1, mpq(2) ** 101), False),
         (mpq(1, mpq(2) ** 2000), False),
     ],
 )
