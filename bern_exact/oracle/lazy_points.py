@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import overload
 
 import numpy as np
 
 from bern_exact.exact.points import HPoint
 from bern_exact.oracle.sides import PointSet
-from bern_exact.plane.array_mesh import Indices, Points, nearest_double
+from bern_exact.plane.array_mesh import Doubles, Indices, Points, nearest_double
 
 
 class LazyPoints(PointSet):
@@ -19,14 +20,11 @@ class LazyPoints(PointSet):
     ----------
     points : Points
         The vertices.
-    order : array of int64, optional
-        Their numbers in the order of their `points.doubles`, x before y.
     """
 
-    def __init__(self, points: Points, order: Indices | None = None) -> None:
+    def __init__(self, points: Points) -> None:
         self.points = points
         self._made: dict[int, HPoint] = {}
-        self._order = order
 
     def __len__(self) -> int:
         return len(self.points)
@@ -51,19 +49,19 @@ class LazyPoints(PointSet):
     def __contains__(self, point: object) -> bool:
         """Is this point among them?  Two binary searches in the doubles, and a look at equal ones.
 
-        The mesh's vertices are sorted once; then O(log V) a point, if few have the same doubles.
+        The vertices are sorted once; then O(log V) a point, if few have the same doubles.
         """
         if not isinstance(point, tuple) or len(point) != 3:
             return False
-        if self._order is None:
-            self._order = np.lexsort(self.points.doubles.T[::-1])
-        order = self._order
+        order, columns = self._sorted
         low, high = 0, len(order)
-        for axis in (0, 1):
-            column = self.points.doubles[:, axis]
-            key = nearest_double(point[axis], point[2])
-            low, high = (
-                low + int(np.searchsorted(column[order[low:high]], key, side="left")),
-                low + int(np.searchsorted(column[order[low:high]], key, side="right")),
-            )
+        for k, column in enumerate(columns):
+            key, part = nearest_double(point[k], point[2]), column[low:high]
+            low, high = (low + int(np.searchsorted(part, key, side)) for side in ("left", "right"))
         return any(self[v] == point for v in order[low:high].tolist())
+
+    @cached_property
+    def _sorted(self) -> tuple[Indices, Doubles]:
+        """The vertices in the order of their doubles, x before y; and the doubles, (2, V)."""
+        order = np.lexsort(self.points.doubles.T[::-1])
+        return order, self.points.doubles[order].T.copy()
