@@ -8,6 +8,8 @@ recognised exactly where the differences of the coordinates are doubles.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +31,9 @@ from bern_exact.plane.array_mesh import Doubles, Indices, Points
 BLOCK = 1 << 15
 """So many triangles at a time: their balls stay in the processor's cache."""
 
+FEW = 256
+"""So few triangles are not worth telling the same shapes."""
+
 UNKNOWN = -1
 """Where the class of an angle is not decided."""
 
@@ -48,41 +53,65 @@ class Frame:
 
     Parameters
     ----------
-    x, y : array of float64, (V,)
-        Doubles next to `scale` times the coordinates.
+    points : Points
+        The mesh's vertices.
+    doubles : array of float64, (2, V)
+        All their x, and all their y, or next to that.
     spread : array of float64, (2, V), or None
-        How far they may be from those: infinite for wild vertices.  None if not at all.
-    scale : int or None
-        A positive integer: the doubles are that many times the coordinates, exactly, and tell
-        equal shapes.  None, and then 1 is meant, if the coordinates are no such doubles.
+        How far they may be from it: infinite for wild vertices.  None if not at all.
+    told_apart : bool
+        Have different coordinates on an axis different doubles?
     """
 
-    x: Doubles
-    y: Doubles
+    points: Points
+    doubles: Doubles
     spread: Doubles | None
-    scale: int | None
+    told_apart: bool
 
-    def differences(self, tails: Indices, heads: Indices) -> tuple[Ball, Ball]:
-        """The vectors between vertices."""
-        if self.spread is None:
-            dx = difference(self.x[heads], self.x[tails])
-            return dx, difference(self.y[heads], self.y[tails])
-        both = self.spread[:, tails] + self.spread[:, heads]
-        dx = difference(self.x[heads], self.x[tails], both[0])
-        return dx, difference(self.y[heads], self.y[tails], both[1])
+    def differences(self, tails: Indices, heads: Indices) -> list[Ball]:
+        """The vectors between vertices: their x, and their y."""
+        balls = []
+        for axis in (0, 1):
+            first, second, given = self.doubles[axis, tails], self.doubles[axis, heads], None
+            if self.spread is not None:
+                given = self.spread[axis, tails] + self.spread[axis, heads]
+                if self.told_apart:
+                    given[first == second] = 0
+            balls.append(difference(second, first, given))
+        return balls
+
+    @cached_property
+    def lattice(self) -> NDArray[Any] | None:
+        """Doubles or integers, (k, V), whose equal differences are equal vectors; if at hand."""
+        if self.points.exact:
+            return self.doubles
+        parts = self.points.lattice
+        return None if parts is None else np.ascontiguousarray(parts.T)
 
 
 def frame_of(points: Points) -> Frame:
-    """The doubles of a mesh's vertices, on a lattice if they have one."""
-    lattice = points.lattice
-    doubles, scale = lattice if lattice is not None else (points.doubles, None)
-    x, y = np.ascontiguousarray(doubles[:, 0]), np.ascontiguousarray(doubles[:, 1])
-    if lattice is not None and (points.tame or not points.exact):
-        return Frame(x, y, None, scale)  # integers below 2^53 are tame
+    """The doubles of a mesh's vertices."""
+    doubles = np.ascontiguousarray(points.doubles.T)
+    if points.exact and points.tame:
+        return Frame(points, doubles, None, True)
     with np.errstate(invalid="ignore"):
-        given = 0 if points.exact else INPUT
-        spread = np.where(points.wild, np.inf, given * np.abs(np.stack((x, y))))
-    return Frame(x, y, spread, scale)
+        given = np.zeros_like(doubles) if points.exact else INPUT * np.abs(doubles)
+    spread = np.where(points.wild, np.inf, given)
+    return Frame(points, doubles, spread, points.exact or _are_told_apart(points))
+
+
+def _are_told_apart(points: Points) -> bool:
+    """Have different coordinates different doubles, on both axes, and is no vertex wild?"""
+    if not points.tame:
+        return False
+    for axis in (0, 1):
+        column = points.doubles[:, axis]
+        order = np.argsort(column, kind="stable")
+        ties = np.flatnonzero(np.diff(column[order]) == 0)
+        pairs = zip(order[ties].tolist(), order[ties + 1].tolist(), strict=True)
+        if not all(points.are_equal(v, w, axis) for v, w in pairs):
+            return False
+    return True
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +125,7 @@ class Estimates:
     cot_low, cot_high : array of float64
         Bounds of the largest angle's cotangent; not a number, or infinite, where nothing is known.
     height_low, height_high : array of float64
-        Bounds of the least squared height, times the square of the frame's scale.
+        Bounds of the least squared height.
     """
 
     signs: Signs
@@ -169,13 +198,12 @@ def distinct_shapes(frame: Frame, corners: Indices) -> tuple[Indices, Indices]:
 
     Notes
     -----
-    O(T log T).  Triangles with the same edge vectors have the same shape.  A vector of doubles is
-    told by its rounded differences and their rounding errors.
+    O(T log T).  Triangles with the same edge vectors have the same shape.
     """
     every = np.arange(len(corners))
-    if frame.scale is None or len(corners) == 0:
+    if len(corners) < FEW or frame.lattice is None:
         return every, every
-    rows = _edge_vectors(frame, corners)
+    rows = _edge_vectors(frame.lattice, corners)
     with np.errstate(over="ignore"):
         keys = (rows.view(np.uint64) * _MULTIPLIERS).sum(axis=1, dtype=np.uint64)
     _, first, shape = np.unique(keys, return_index=True, return_inverse=True)
@@ -188,13 +216,18 @@ def distinct_shapes(frame: Frame, corners: Indices) -> tuple[Indices, Indices]:
     return first[order], place[shape]
 
 
-def _edge_vectors(frame: Frame, corners: Indices) -> Doubles:
-    """(T, 8): the differences of corners b and c to a, with their rounding errors, exactly."""
+def _edge_vectors(lattice: NDArray[Any], corners: Indices) -> NDArray[Any]:
+    """(T, 8): the differences of corners b and c to a.
+
+    Of integers in parts; of doubles the rounded value and the rounding error.
+    """
     a, b, c = corners.T
     columns = []
     with np.errstate(all="ignore"):
-        for axis in (frame.x, frame.y):
+        for axis in lattice:
             for heads in (b, c):
                 value = axis[heads] - axis[a]
-                columns += [value, rounding_of_difference(axis[heads], axis[a], value)]
+                columns.append(value)
+                if lattice.dtype == np.float64:
+                    columns.append(rounding_of_difference(axis[heads], axis[a], value))
         return np.stack(columns, axis=1) + 0  # no -0

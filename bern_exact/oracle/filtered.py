@@ -42,6 +42,9 @@ from bern_exact.plane.polygon import Polygon
 MOST_VERTICES = 2**31
 """Meshes with fewer vertices have edges that fit into 64 bits."""
 
+MOST_KEPT = 2**20
+"""So many shapes in integers are kept, at 400 bytes each."""
+
 
 @dataclass
 class Effort:
@@ -125,6 +128,7 @@ class _Shapes:
         self, vertices: LazyPoints, frame: Frame, corners: Indices, effort: Effort
     ) -> None:
         self.vertices, self.frame, self.corners, self.effort = vertices, frame, corners, effort
+        self._made: dict[int, Shape] = {}
         self.estimates = estimate(frame, corners)
         self.classes = self.estimates.classes()
         self._decide()
@@ -151,10 +155,15 @@ class _Shapes:
         return np.array(answers or [(0, 0)], dtype=np.int8)[shape]
 
     def _shape(self, i: int) -> Shape:
-        """The shape of a triangle in integers."""
-        self.effort.evaluated += 1
-        a, b, c = self.corners[i].tolist()
-        return shape_of(self.vertices[a], self.vertices[b], self.vertices[c])
+        """The shape of a triangle in integers; the first `MOST_KEPT` are kept."""
+        shape = self._made.get(i)
+        if shape is None:
+            self.effort.evaluated += 1
+            a, b, c = self.corners[i].tolist()
+            shape = shape_of(self.vertices[a], self.vertices[b], self.vertices[c])
+            if len(self._made) < MOST_KEPT:
+                self._made[i] = shape
+        return shape
 
     def count_classes(self) -> list[int]:
         """The number of triangles with area in each class of angles."""
@@ -183,8 +192,7 @@ class _Shapes:
         """Which triangles have a height below the bound?"""
         if bounds.min_height_squared is None:
             return np.zeros(len(self.corners), dtype=np.bool_)
-        scaled = bounds.min_height_squared * (self.frame.scale or 1) ** 2
-        low, high = doubles_around(scaled, scaled)
+        low, high = doubles_around(bounds.min_height_squared, bounds.min_height_squared)
         bad = self.estimates.height_high < low
         return self._below(bad, self.estimates.height_low >= high, bounds.admit_height)
 

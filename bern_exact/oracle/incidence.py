@@ -44,17 +44,17 @@ def sound_triangles(mesh: ArrayMesh, found: Findings) -> tuple[Indices, Flags]:
 def first_at_its_point(frame: Frame, vertices: LazyPoints) -> Indices:
     """For each vertex the first one at the same point.
 
-    Equal points have equal doubles, in the frame too; the converse is true of a lattice's alone.
+    Equal points have equal doubles; the converse is true if these are told apart.
     """
     first = np.arange(len(vertices))
-    order = np.lexsort((frame.y, frame.x))
-    x, y = frame.x[order], frame.y[order]
+    order = np.lexsort(frame.doubles[::-1])
+    x, y = frame.doubles[:, order]
     starts = np.flatnonzero(np.concatenate(([True], (x[1:] != x[:-1]) | (y[1:] != y[:-1]))))
     ends = np.append(starts[1:], len(order))
     several = np.flatnonzero(ends - starts > 1)
     for start, end in zip(starts[several].tolist(), ends[several].tolist(), strict=True):
         group = order[start:end]  # ascending, since the sort is stable
-        if frame.scale is not None:
+        if frame.told_apart:
             first[group] = group[0]
             continue
         seen: dict[HPoint, int] = {}

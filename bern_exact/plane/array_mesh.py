@@ -25,8 +25,8 @@ Flags = NDArray[np.bool_]
 Indices = NDArray[Any]
 """int64; of objects if an index is longer than that."""
 
-Lattice = tuple[Doubles, int]
-"""Doubles and D: they are D times the coordinates, exactly."""
+Lattice = NDArray[np.int64]
+"""(V, 4): the parts of integers, x and y of points times one and the same; see `lattice_of`."""
 
 UNIT = mpq(1, 2**52)
 """A double of `Points.doubles` differs from its coordinate x by at most this times |x|."""
@@ -36,6 +36,12 @@ LARGE, SMALL = 2**100, 2**-100
 
 WHOLE = 2**53
 """Integers below this are doubles."""
+
+PART = 60
+"""An integer n of a lattice is split into n >> PART and the rest, whose differences are 64 bits."""
+
+LONG = 2 ** (2 * PART)
+"""The integers of a lattice are below this in size."""
 
 
 class Points(Protocol):
@@ -63,12 +69,18 @@ class Points(Protocol):
 
     @property
     def lattice(self) -> Lattice | None:
-        """Doubles that are all coordinates times one positive integer; None if none are known."""
+        """All coordinates times one positive integer, in parts; None if that is not at hand.
+
+        Vectors between vertices whose parts have equal differences are equal.
+        """
 
     def __len__(self) -> int: ...
 
     def point(self, v: int) -> HPoint:
         """The point of a vertex, exactly."""
+
+    def are_equal(self, v: int, w: int, axis: int) -> bool:
+        """Do two vertices have the same x (axis 0), or the same y (axis 1)?"""
 
 
 @dataclass(frozen=True)
@@ -100,8 +112,8 @@ class DoublePoints:
 
     @property
     def lattice(self) -> Lattice | None:
-        """The doubles themselves."""
-        return self.doubles, 1
+        """None: the doubles themselves tell equal vectors."""
+        return None
 
     def __len__(self) -> int:
         return len(self.doubles)
@@ -114,6 +126,10 @@ class DoublePoints:
         """
         x, y = self.doubles[v].tolist()
         return hpoint(mpq(*x.as_integer_ratio()), mpq(*y.as_integer_ratio()))
+
+    def are_equal(self, v: int, w: int, axis: int) -> bool:
+        """Do two vertices have the same x (axis 0), or the same y (axis 1)?"""
+        return bool(self.doubles[v, axis] == self.doubles[w, axis])
 
 
 @dataclass(frozen=True)
@@ -154,12 +170,12 @@ class ExactPoints:
 
     @cached_property
     def lattice(self) -> Lattice | None:
-        """The coordinates times their common denominator, if these are integers below `WHOLE`."""
+        """The coordinates times their common denominator, if these are below `LONG` in size."""
         scale = common_multiple(w for _, _, w in self.points)
         if scale is None:
             return None
         flat = [c * (scale // w) for x, y, w in self.points for c in (x, y)]
-        return lattice_of(flat, scale)
+        return lattice_of(flat)
 
     def __len__(self) -> int:
         return len(self.points)
@@ -168,9 +184,14 @@ class ExactPoints:
         """The point of a vertex, exactly."""
         return self.points[v]
 
+    def are_equal(self, v: int, w: int, axis: int) -> bool:
+        """Do two vertices have the same x (axis 0), or the same y (axis 1)?"""
+        p, q = self.points[v], self.points[w]
+        return p[axis] * q[2] == q[axis] * p[2]
+
 
 def common_multiple(numbers: Iterable[mpz | int]) -> int | None:
-    """The least common multiple of positive integers, if it is below `WHOLE`.
+    """The least common multiple of positive integers, if it is below `LONG`.
 
     >>> common_multiple([4, 6]), common_multiple([2**30, 3**30])
     (12, None)
@@ -179,16 +200,22 @@ def common_multiple(numbers: Iterable[mpz | int]) -> int | None:
     for number in numbers:
         if multiple % number:
             multiple = lcm(multiple, number)
-            if multiple >= WHOLE:
+            if multiple >= LONG:
                 return None
     return int(multiple)
 
 
-def lattice_of(integers: Sequence[mpz | int], scale: int) -> Lattice | None:
-    """Integers x0, y0, x1, y1, ... as the lattice of points, if all are below `WHOLE`."""
-    if integers and max(max(integers), -min(integers)) >= WHOLE:
+def lattice_of(integers: Sequence[mpz | int]) -> Lattice | None:
+    """Integers x0, y0, x1, y1, ... in two parts each, if all are below `LONG` in size.
+
+    >>> lattice_of([2**60 + 7, -1]).tolist()
+    [[1, -1, 7, 1152921504606846975]]
+    """
+    if integers and max(max(integers), -min(integers)) >= LONG:
         return None
-    return np.array(list(map(int, integers)), dtype=np.float64).reshape(-1, 2), scale
+    rest = 2**PART - 1
+    parts = [[int(n >> PART) for n in integers], [int(n & rest) for n in integers]]
+    return np.hstack([np.array(part, dtype=np.int64).reshape(-1, 2) for part in parts])
 
 
 def nearest_double(numerator: mpz, denominator: mpz) -> float:

@@ -18,6 +18,7 @@ from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import JsonNumber, parse_rational
 from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.plane.array_mesh import (
+    LONG,
     WHOLE,
     DoublePoints,
     Doubles,
@@ -34,6 +35,9 @@ Number = int | float | str
 
 LONGEST = 300
 """Texts up to this length are read at once: integers of so many digits are below all infinities."""
+
+MOST_PLACES = 36
+"""10^36 is below `LONG`."""
 
 _CHARACTERS = b"0123456789+-./eE\n"
 
@@ -73,11 +77,11 @@ class TextPoints:
 
     @cached_property
     def lattice(self) -> Lattice | None:
-        """The coordinates times their common denominator, if these are integers below `WHOLE`."""
+        """The coordinates times their common denominator, if these are below `LONG` in size."""
         scale = common_multiple(map(_denominator, self.numbers))
-        if scale is None or not np.all(np.abs(self.doubles) * scale <= WHOLE):
+        if scale is None or not np.all(np.abs(self.doubles) * scale <= LONG):
             return None
-        return lattice_of([_times(number, scale) for number in self.numbers], scale)
+        return lattice_of([_times(number, scale) for number in self.numbers])
 
     def __len__(self) -> int:
         return len(self.doubles)
@@ -89,6 +93,11 @@ class TextPoints:
         (mpz(1), mpz(30), mpz(10))
         """
         return hpoint(_rational(self.numbers[2 * v]), _rational(self.numbers[2 * v + 1]))
+
+    def are_equal(self, v: int, w: int, axis: int) -> bool:
+        """Do two vertices have the same x (axis 0), or the same y (axis 1)?"""
+        x, y = self.numbers[2 * v + axis], self.numbers[2 * w + axis]
+        return (type(x) is type(y) and x == y) or _rational(x) == _rational(y)
 
 
 def points_of_numbers(numbers: Sequence[object], *, binary64: bool) -> Points | None:
@@ -201,16 +210,14 @@ def _rational(number: Number) -> mpq:
 
 
 def _denominator(number: Number) -> int:
-    """A denominator of a number; `WHOLE` if it is as large as that, or hard to tell."""
+    """A denominator of a number; `LONG` if it is as large as that."""
     if not isinstance(number, str):
         return number.as_integer_ratio()[1]
     _, stroke, below = number.partition("/")
     if stroke:
         return int(below)
-    if "e" in number or "E" in number:
-        return WHOLE
-    places = len(number.partition(".")[2])
-    return WHOLE if places > 15 else 10**places
+    _, places = _digits_and_places(number)
+    return LONG if places > MOST_PLACES else _power_of_ten(places)
 
 
 def _times(number: Number, scale: int) -> int:
@@ -221,6 +228,18 @@ def _times(number: Number, scale: int) -> int:
     numerator_text, stroke, below = number.partition("/")
     if stroke:
         return int(numerator_text) * (scale // int(below))
-    whole, _, part = number.partition(".")
-    below_part: int = 10 ** len(part)
-    return int(whole + part) * (scale // below_part)
+    digits, places = _digits_and_places(number)
+    return int(digits) * (scale // _power_of_ten(places) * _power_of_ten(-places))
+
+
+def _digits_and_places(decimal: str) -> tuple[str, int]:
+    """A decimal as digits with a sign, and how many of them are behind the point."""
+    mantissa, _, exponent = decimal.lower().partition("e")
+    whole, _, part = mantissa.partition(".")
+    return whole + part, len(part) - int(exponent or 0)
+
+
+def _power_of_ten(exponent: int) -> int:
+    """10^exponent; 1 if it is negative."""
+    power: int = 10 ** max(exponent, 0)
+    return power

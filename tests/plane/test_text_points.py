@@ -12,6 +12,7 @@ from bern_exact.exact.numbers import JsonNumber, parse_rational
 from bern_exact.exact.points import coordinates
 from bern_exact.plane.array_mesh import DoublePoints, nearest_double
 from bern_exact.plane.text_points import points_of_numbers
+from tests.plane.test_array_mesh import unsplit
 
 usual = st.one_of(
     st.integers(-(2**60), 2**60),
@@ -50,8 +51,9 @@ def check(numbers: list[int | str], binary64: bool, *, must_be_read: bool = Fals
     if points.exact:
         assert [mpq(x) for x in points.doubles.ravel().tolist()] == expected
     if points.lattice is not None:
-        scaled, scale = points.lattice
-        assert [mpq(x) for x in scaled.ravel().tolist()] == [x * scale for x in expected]
+        integers = unsplit(points.lattice)
+        scale = next((n / x for n, x in zip(integers, expected, strict=True) if x), mpq(1))
+        assert scale > 0 and integers == [x * scale for x in expected]
 
 
 @given(pairs, st.booleans())
@@ -89,3 +91,11 @@ def test_numbers_that_doubles_hold_badly_are_wild(text: str) -> None:
     points = points_of_numbers(["0", "1", text, "1", "0.0", "0"], binary64=False)
     assert points is not None
     assert points.wild.tolist() == [False, True, False]
+
+
+@pytest.mark.parametrize("x, y", [("1/3", "2/6"), ("0.50", "0.5"), ("1/2", ".5"), (3, "3")])
+def test_equal_coordinates_are_told_whatever_their_text(x: int | str, y: int | str) -> None:
+    points = points_of_numbers(["1/7", x, 0, y, "1/7", "9"], binary64=False)
+    assert points is not None
+    assert points.are_equal(0, 1, 1) and points.are_equal(0, 2, 0)
+    assert not points.are_equal(0, 2, 1) and not points.are_equal(0, 1, 0)
