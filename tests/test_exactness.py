@@ -24,6 +24,8 @@ DISPLAY: dict[str, str] = {}
 FILTERS: dict[str, str] = {
     "plane/array_mesh.py": "doubles next to exact coordinates, within 2^-52 of them",
     "plane/text_points.py": "the same, of numbers that are still text",
+    "oracle/filters.py": "balls that hold the exact value: proofs/float_filter.py; then integers",
+    "oracle/estimates.py": "the same balls, of triangles",
 }
 
 # Path -> the modules named below that it may import, with the reason.
@@ -33,6 +35,11 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "plane/array_mesh.py": {"numpy": "doubles that filter, indices"},
     "plane/text_points.py": {"numpy": "doubles that filter"},
     "formats/mesh_json.py": {"numpy": "indices"},
+    "oracle/filters.py": {"numpy": "doubles that filter"},
+    "oracle/estimates.py": {"numpy": "doubles that filter"},
+    "oracle/incidence.py": {"numpy": "sorting"},
+    "oracle/lazy_points.py": {"numpy": "sorting"},
+    "oracle/filtered.py": {"numpy": "doubles compared with bounds, on the safe side"},
 }
 
 # Path -> how long it may be, for files that are longer than others.

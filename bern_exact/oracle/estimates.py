@@ -101,13 +101,11 @@ def frame_of(points: Points) -> Frame:
 
 
 def _are_told_apart(points: Points) -> bool:
-    """Have different coordinates different doubles, on both axes, and is no vertex wild?"""
-    if not points.tame:
-        return False
+    """Have different coordinates different doubles, on both axes?"""
     for axis in (0, 1):
         column = points.doubles[:, axis]
         order = np.argsort(column, kind="stable")
-        ties = np.flatnonzero(np.diff(column[order]) == 0)
+        ties = np.flatnonzero(column[order[1:]] == column[order[:-1]])
         pairs = zip(order[ties].tolist(), order[ties + 1].tolist(), strict=True)
         if not all(points.are_equal(v, w, axis) for v, w in pairs):
             return False
