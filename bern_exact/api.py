@@ -20,7 +20,7 @@ from bern_exact.exact.numbers import parse_rational
 from bern_exact.formats import safe_json
 from bern_exact.formats.mesh_json import mesh_document
 from bern_exact.interior.subdivided.choice import Method
-from bern_exact.oracle.api import polygon_of
+from bern_exact.oracle.arguments import polygon_of
 from bern_exact.outputs import write_atomically
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon

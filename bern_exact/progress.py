@@ -21,11 +21,11 @@ class Progress:
 
     Parameters
     ----------
-    stages : int
-        How many stages are expected.
+    stages : int, optional
+        How many stages are expected, if that is known.
     """
 
-    def __init__(self, stages: int) -> None:
+    def __init__(self, stages: int | None) -> None:
         self._listeners: list[StageListener] = []
         self._bar = Bar(
             SpinnerColumn(),

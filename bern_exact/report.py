@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from gmpy2 import mpq
 from rich.box import SIMPLE_HEAD
@@ -12,6 +13,8 @@ from rich.text import Text
 
 from bern_exact.certificate import Certificate
 from bern_exact.checkers.findings import Finding
+from bern_exact.comparison import Row
+from bern_exact.exact.numbers import parse_rational
 from bern_exact.facts import Facts
 from bern_exact.figures import degrees, digits_of, root, shortened
 from bern_exact.oracle.verdict import Verdict
@@ -98,22 +101,62 @@ def certificate_lines(certificate: Certificate) -> list[str]:
 
 def verdict_lines(verdict: Verdict) -> list[str]:
     """What a judge found, a line each: the verdict, the figures, the defects."""
-    lines = [f"{'valid' if verdict.valid else 'not valid'}: {verdict.triangles:,} triangles,"]
-    lines[0] += f" {verdict.vertices:,} vertices"
-    if verdict.max_angle is not None and verdict.min_height_squared is not None:
-        lines += [
-            f"largest angle {degrees(verdict.max_angle)} degrees,"
-            f" triangle {verdict.max_angle_triangle}",
-            f"least height {root(verdict.min_height_squared)},"
-            f" triangle {verdict.min_height_triangle}",
-        ]
-        if verdict.feature_size_squared is not None:
-            ratio = root(verdict.min_height_squared / verdict.feature_size_squared)
-            size = root(verdict.feature_size_squared)
-            lines[-1] += f", {ratio} of the polygon's feature size {size}"
-        named = zip(ANGLE_WORDS, verdict.angle_classes.values(), strict=True)
-        lines.append("largest angles " + ", ".join(f"{word}: {k:,}" for word, k in named))
+    lines = [f"{verdict.state}: {verdict.triangles:,} triangles, {verdict.vertices:,} vertices"]
+    if verdict.triangles_per_vertex is not None:
+        per_vertex = digits_of(verdict.triangles_per_vertex, 3)
+        lines[0] += f", {per_vertex} triangles a vertex of the polygon"
+    lines += _figure_lines(verdict)
+    if verdict.off_edge is not None:
+        lines.append(_off_edge_line(verdict.off_edge))
     return lines + [defect.sentence for defect in verdict.defects]
+
+
+def _figure_lines(verdict: Verdict) -> list[str]:
+    """Angles and heights, if any triangle has them."""
+    if verdict.max_angle is None or verdict.min_height_squared is None:
+        return []
+    angle = f"largest angle {degrees(verdict.max_angle)} degrees"
+    height = f"least height {root(verdict.min_height_squared)}"
+    lines = [
+        f"{angle}, triangle {verdict.max_angle_triangle}",
+        f"{height}, triangle {verdict.min_height_triangle}",
+    ]
+    if verdict.feature_size_squared is not None and verdict.height_ratio_squared is not None:
+        size = root(verdict.feature_size_squared)
+        lines[-1] += f", {root(verdict.height_ratio_squared)} of the polygon's feature size {size}"
+    named = zip(ANGLE_WORDS, verdict.angle_classes.values(), strict=True)
+    return [*lines, "largest angles " + ", ".join(f"{word}: {k:,}" for word, k in named)]
+
+
+def _off_edge_line(off_edge: Mapping[str, Any]) -> str:
+    """How many boundary vertices are off their edges, and how far the furthest is."""
+    low, high = off_edge["ulps"]
+    ulps = low if low == high else f"{low} to {high}"
+    count = off_edge["vertices"]
+    are = "vertex is" if count == 1 else "vertices are"
+    far = root(parse_rational(off_edge["distance_squared"]))
+    return (
+        f"{count:,} boundary {are} off the polygon's edges, by at most {far} ({ulps} ulps),"
+        f" vertex {off_edge['vertex']} from edge {off_edge['polygon_edge']}"
+    )
+
+
+def comparison_lines(rows: Sequence[Row]) -> list[str]:
+    """Meshes side by side, a line each under a heading; nothing if there are none."""
+    if not rows:
+        return []
+    table = [("mesh", "triangles", "a vertex", "largest angle", "least height")]
+    for row in rows:
+        angle, height = row.max_angle, row.min_height_squared
+        figures = "-" if angle is None else degrees(angle), "-" if height is None else root(height)
+        per_vertex = digits_of(row.triangles_per_vertex, 3)
+        table.append((row.mesh, f"{row.triangles:,}", per_vertex, *figures))
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+    lines = []
+    for first, *others in table:
+        cells = [text.rjust(width) for text, width in zip(others, widths[1:], strict=True)]
+        lines.append("  ".join([first.ljust(widths[0]), *cells]))
+    return ["", *lines]
 
 
 def facts_lines(facts: Facts) -> list[str]:

@@ -22,7 +22,6 @@ LAYERS = (
     "oracle",
     "theorems",
     "formats",
-    "corpus",
     "outputs",
     "certificate",
     "counts",
@@ -31,6 +30,8 @@ LAYERS = (
     "view",
     "api",
     "",  # bern_exact/__init__.py: the public names
+    "comparison",
+    "corpus",
     "trace",
     "progress",
     "report",

@@ -15,14 +15,17 @@ from bern_exact.commands.options import (
     parsed_by,
     svg_option,
 )
+from bern_exact.comparison import Row, compare
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.formats import read_mesh_file
-from bern_exact.oracle.api import verify_with_feature_size
+from bern_exact.oracle.api import verdict_on
+from bern_exact.oracle.verdict import Verdict
 from bern_exact.outputs import emit, emit_json, write_atomically
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
-from bern_exact.report import verdict_lines
+from bern_exact.progress import Progress
+from bern_exact.report import comparison_lines, verdict_lines
 from bern_exact.view.triangulation import draw_triangulation
 
 
@@ -37,6 +40,14 @@ from bern_exact.view.triangulation import draw_triangulation
 )
 @click.option("--max-triangles", type=click.IntRange(min=0), help="A bound on their number.")
 @click.option(
+    "--tolerance",
+    callback=parsed_by(parse_rational),
+    help="Accept boundary vertices so far off their edges of the polygon; all else stays exact.",
+)
+@click.option(
+    "--compare", "compared", is_flag=True, help="Our theorems' meshes of the polygon beside it."
+)
+@click.option(
     "--limit", type=click.IntRange(min=0), default=100, show_default=True, help="Defects listed."
 )
 @output_option
@@ -49,6 +60,8 @@ def verify_command(
     max_angle: AngleBound | None,
     min_height_squared: mpq | None,
     max_triangles: int | None,
+    tolerance: mpq | None,
+    compared: bool,
     limit: int,
     output: Path | None,
     svg: Path | None,
@@ -61,25 +74,40 @@ def verify_command(
     """
     found, own = read_mesh_file(mesh, binary64=numbers == "binary64")
     target = Polygon.load(polygon, numbers=numbers) if polygon else own
-    verdict = verify_with_feature_size(
+    for option, given in (("--tolerance", tolerance is not None), ("--compare", compared)):
+        if given and target is None:
+            raise click.UsageError(f"{option} needs a polygon: give --polygon FILE")
+    verdict = verdict_on(
         found,
         target,
         max_angle=max_angle,
         min_height_squared=min_height_squared,
         max_triangles=max_triangles,
+        tolerance=tolerance,
         limit=limit,
     )
     if svg:
         _draw_if_possible(svg, found, target)
-    text = "".join(f"{line}\n" for line in verdict_lines(verdict))
+    rows = _compared(verdict, target) if compared and target else ()
     record = verdict.to_json()
+    if compared:
+        record["compare"] = [row.to_json() for row in rows]
     if output:
         emit_json(record, output)
     if as_json:
         emit_json(record)
     else:
-        emit(text)
-    return 0 if verdict.valid else 1
+        lines = [*verdict_lines(verdict), *comparison_lines(rows)]
+        if 0 < limit == len(verdict.defects):
+            click.echo(f"no more than {limit} defects are listed (--limit)", err=True)
+        emit("".join(f"{line}\n" for line in lines))
+    return 0 if verdict else 1
+
+
+def _compared(verdict: Verdict, polygon: Polygon) -> tuple[Row, ...]:
+    """The mesh beside ours."""
+    with Progress(None) as progress:
+        return compare(verdict, polygon, observer=progress)
 
 
 def _draw_if_possible(svg: Path, mesh: Mesh, polygon: Polygon | None) -> None:

@@ -13,27 +13,9 @@ from bern_exact.exact.angles import Angle, largest_angle
 from bern_exact.exact.points import HPoint, coordinates, hpoint, line_through
 from bern_exact.exact.predicates import side, squared_height
 from bern_exact.plane.mesh import Mesh
+from bern_exact.plane.plane_graph import PlaneGraph
 
 Place = tuple[mpq, mpq]
-
-
-@dataclass(frozen=True)
-class PlaneGraph:
-    """A planar straight-line graph: "a planar embedding, each edge a line segment" (Section 4).
-
-    Parameters
-    ----------
-    name : str
-        Which one.
-    points : tuple of HPoint
-        Its vertices.
-    edges : tuple of (int, int)
-        Its edges, which meet at vertices only.
-    """
-
-    name: str
-    points: tuple[HPoint, ...]
-    edges: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True)

@@ -202,7 +202,7 @@ def instance_of(polygon: Polygon, uid: str = "") -> Instance:
 
     Examples
     --------
-    >>> from bern_exact.oracle.api import polygon_of
+    >>> from bern_exact.oracle.arguments import polygon_of
     >>> instance = instance_of(polygon_of([(0, 0), ("1/2", 0), (0, "1/3")]), "third")
     >>> instance.scale, instance.points[1], instance.boundary
     (mpz(6), (mpz(3), mpz(0), mpz(1)), (0, 1, 2))

@@ -2,43 +2,46 @@
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from gmpy2 import mpq, mpz
+from gmpy2 import mpq
 
-from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
+from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.errors import InputError
-from bern_exact.exact.numbers import parse_rational
-from bern_exact.exact.points import HPoint, hpoint
+from bern_exact.exact.points import HPoint
+from bern_exact.oracle.arguments import angle_of, exact, mesh_of, polygon_of
+from bern_exact.oracle.boundary_rings import boundary_rings
+from bern_exact.oracle.departures import Departure, beyond, departures, furthest, nearest
 from bern_exact.oracle.fast import verify_mesh
-from bern_exact.oracle.verdict import Verdict
+from bern_exact.oracle.verdict import Defect, Verdict, point_json
+from bern_exact.plane.array_mesh import ArrayMesh, Indices, index_array
 from bern_exact.plane.feature_size import feature_size
-from bern_exact.plane.mesh import Mesh, Triangle
+from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
-from bern_exact.plane.validation import polygon_from_rings
 
 
 def verify(
-    vertices: Iterable[Any],
-    triangles: Iterable[Any],
+    vertices: Any,
+    triangles: Iterable[Any] | None = None,
     polygon: Polygon | Mapping[str, Any] | Iterable[Any] | None = None,
     *,
     max_angle: AngleBound | str | int | float | Fraction | None = None,
     min_height_squared: Any = None,
     max_triangles: int | None = None,
+    tolerance: Any = None,
     limit: int = 100,
 ) -> Verdict:
     """Is this a triangulation of the polygon, within these bounds?  Decided exactly.
 
     Parameters
     ----------
-    vertices : iterable of (x, y)
+    vertices : iterable of (x, y), or a mesh
         Coordinates: int, Fraction, mpq, text as in files (`"1/3"`, `"0.1"`: the exact decimal), or
-        float (exactly the double that it is).  A numpy array of shape (V, 2) will do.
+        float (exactly the double that it is).  A numpy array of shape (V, 2) will do.  A whole
+        mesh, without `triangles`: a `Mesh`, a `Result`, or a mesh of meshio.
     triangles : iterable of (int, int, int)
         0-based and counter-clockwise.  A numpy array of shape (T, 3) will do.
     polygon : Polygon, rings or mapping, optional
@@ -52,13 +55,16 @@ def verify(
         No triangle's squared height may be smaller.
     max_triangles : int, optional
         There may be no more triangles.
+    tolerance : number, optional
+        Accept boundary vertices that are at most so far from their edges of the polygon; every
+        other test stays exact.  The verdict is then true if `within_tolerance` is.
     limit : int
         How many defects are listed.
 
     Returns
     -------
     Verdict
-        True if there is no defect.
+        True if there is no defect (with `tolerance`: none but the ones that it allows).
 
     Raises
     ------
@@ -78,135 +84,132 @@ def verify(
     >>> verify(square, [(0, 1, 2)], square).defects[1].kind
     'region-not-covered'
     """
-    points = _points(vertices, "vertices")
-    corners = tuple(_triangle(item, t) for t, item in enumerate(_listed(triangles, "triangles")))
-    if polygon is not None:
-        polygon = polygon_of(polygon)
-    bound = max_angle
-    if bound is not None and not isinstance(bound, AngleBound):
-        bound = parse_angle_bound(bound if isinstance(bound, str) else str(bound))
-    height = min_height_squared
-    return verify_with_feature_size(
-        Mesh(tuple(points), corners),
-        polygon,
-        max_angle=bound,
-        min_height_squared=None if height is None else exact(height, "min_height_squared"),
+    return verdict_on(
+        mesh_of(vertices, triangles),
+        None if polygon is None else polygon_of(polygon),
+        max_angle=angle_of(max_angle),
+        min_height_squared=_exact_or_none(min_height_squared, "min_height_squared"),
         max_triangles=max_triangles,
+        tolerance=_exact_or_none(tolerance, "tolerance"),
         limit=limit,
     )
 
 
-def polygon_of(value: Polygon | Mapping[str, Any] | Iterable[Any]) -> Polygon:
-    """A polygon from the forms in which users have one, validated exactly.
-
-    Parameters
-    ----------
-    value : Polygon, rings or mapping
-        A `Polygon`; a ring; a list of rings, the outer one first; or `{"outer": ring,
-        "holes": [ring, ...]}`, with coordinates as in `verify`.
-
-    Raises
-    ------
-    InputError
-        If it is none of these, or not a polygon.
-
-    Examples
-    --------
-    >>> polygon_of([(0, 0), ("1/3", 0), (0, 0.5)]).area
-    mpq(1,12)
-    """
-    return value if isinstance(value, Polygon) else polygon_from_rings(_rings(value))
+def _exact_or_none(value: Any, place: str) -> mpq | None:
+    return None if value is None else exact(value, place)
 
 
-def verify_with_feature_size(
-    mesh: Mesh,
+def verdict_on(
+    mesh: Mesh | ArrayMesh,
     polygon: Polygon | None,
     *,
     max_angle: AngleBound | None = None,
     min_height_squared: mpq | None = None,
     max_triangles: int | None = None,
+    tolerance: mpq | None = None,
     limit: int = 100,
 ) -> Verdict:
-    """`verify_mesh`, and the polygon's feature size, which the least height can be held against."""
-    verdict = verify_mesh(
-        mesh,
-        polygon,
-        max_angle=max_angle,
-        min_height_squared=min_height_squared,
-        max_triangles=max_triangles,
-        limit=limit,
-    )
+    """The judge's verdict, and with a polygon what can be held against it.
+
+    Parameters are those of `verify`, in their exact forms.
+
+    Raises
+    ------
+    InputError
+        Kind `number`: a negative tolerance; `schema`: a tolerance without a polygon.
+    """
+    if tolerance is not None and polygon is None:
+        raise InputError("schema", "a tolerance is a distance from a polygon's edges: give one")
+    if tolerance is not None and tolerance < 0:
+        raise InputError("number", f"the tolerance {tolerance} is negative")
+
+    def judge(polygon: Polygon | None) -> Verdict:
+        return verify_mesh(
+            mesh if isinstance(mesh, Mesh) else mesh.mesh,
+            polygon,
+            max_angle=max_angle,
+            min_height_squared=min_height_squared,
+            max_triangles=max_triangles,
+            limit=limit,
+        )
+
+    verdict = judge(polygon)
     if polygon is None:
         return verdict
-    return replace(verdict, feature_size_squared=feature_size(polygon).squared)
+    if not verdict.valid:
+        verdict = _with_departures(verdict, mesh, polygon, judge, tolerance, limit)
+    elif tolerance is not None:
+        verdict = replace(verdict, within_tolerance=True)
+    return replace(
+        verdict,
+        tolerance=tolerance,
+        within_tolerance=True
+        if tolerance is not None and verdict.valid
+        else verdict.within_tolerance,
+        feature_size_squared=feature_size(polygon).squared,
+        polygon_vertices=polygon.n,
+    )
 
 
-def exact(value: Any, place: str) -> mpq:
-    """The rational that a number of any of the usual types is.
+def _with_departures(
+    verdict: Verdict,
+    mesh: Mesh | ArrayMesh,
+    polygon: Polygon,
+    judge: Callable[[Polygon | None], Verdict],
+    tolerance: mpq | None,
+    limit: int,
+) -> Verdict:
+    """The verdict on a mesh that is not valid, with the distances of what is off its edge.
 
-    >>> exact("1/3", "x"), exact(0.5, "x"), exact(Fraction(1, 7), "x")
-    (mpq(1,3), mpq(1,2), mpq(1,7))
+    Within a tolerance is a mesh that is a triangulation of what its own boundary encloses, shown
+    exactly, if that boundary runs through the polygon's vertices and along its edges.
     """
-    if isinstance(value, mpq | mpz):
-        return mpq(value)
-    if isinstance(value, str):
-        try:
-            return parse_rational(value)
-        except InputError as error:
-            raise InputError(error.kind, f"{place}: {error.message}", {"path": place}) from error
-    try:
-        if not isinstance(value, bool):
-            if hasattr(value, "as_integer_ratio"):
-                return mpq(*map(int, value.as_integer_ratio()))
-            return mpq(operator.index(value))
-    except (TypeError, ValueError, OverflowError):
-        pass
-    raise InputError("number", f"{place}: {value!r:.60} is not an exact number", {"path": place})
+    found, point = None, _points_of(mesh)
+    rings = boundary_rings(*_indices_of(mesh))
+    if rings is not None:
+        found = departures(rings, point, polygon)
+    if found:
+        verdict = replace(verdict, off_edge=furthest(found))
+    if tolerance is None:
+        return _explained(verdict, found, point, polygon)
+    if found is None:
+        return replace(_explained(verdict, found, point, polygon), within_tolerance=False)
+    alone = judge(None)
+    within = alone.valid and next(beyond(found, tolerance), None) is None
+    listed = (*map(_off_edge_defect, found[:limit]), *alone.defects)
+    return replace(verdict, defects=listed[:limit], within_tolerance=within)
 
 
-def _listed(value: Any, place: str) -> Sequence[Any]:
-    """The items of a list, an iterator or a numpy array."""
-    if hasattr(value, "tolist"):
-        value = value.tolist()
-    if isinstance(value, str | bytes | Mapping) or not isinstance(value, Iterable):
-        raise InputError("schema", f"{place}: a sequence is expected", {"path": place})
-    return value if isinstance(value, Sequence) else list(value)
+def _explained(
+    verdict: Verdict,
+    found: list[Departure] | None,
+    point: Callable[[int], HPoint],
+    polygon: Polygon,
+) -> Verdict:
+    """The verdict with the distance of each listed vertex that is off its edge."""
+    known = {departure.vertex: departure for departure in reversed(found or [])}
+    defects = []
+    for defect in verdict.defects:
+        if defect.kind == "boundary-vertex-off-edge":
+            v = defect.where["vertex"]
+            defect = _off_edge_defect(known.get(v) or nearest(v, point(v), polygon))
+        defects.append(defect)
+    return replace(verdict, defects=tuple(defects))
 
 
-def _points(value: Any, place: str) -> list[HPoint]:
-    points = []
-    for i, item in enumerate(_listed(value, place)):
-        pair = _listed(item, f"{place}[{i}]")
-        if len(pair) != 2:
-            where = {"path": f"{place}[{i}]"}
-            raise InputError("schema", f"{place}[{i}]: a point (x, y) is expected", where)
-        x, y = (exact(part, f"{place}[{i}][{k}]") for k, part in enumerate(pair))
-        points.append(hpoint(x, y))
-    return points
+def _off_edge_defect(departure: Departure) -> Defect:
+    """The defect of a boundary vertex that is off its edge."""
+    witness = {"point": point_json(departure.point), **departure.to_json()}
+    return Defect.of("boundary-vertex-off-edge", {"vertex": departure.vertex}, witness)
 
 
-def _triangle(item: Any, t: int) -> Triangle:
-    corners = _listed(item, f"triangles[{t}]")
-    try:
-        if len(corners) == 3 and not any(isinstance(v, bool) for v in corners):
-            a, b, c = (operator.index(v) for v in corners)
-            return a, b, c
-    except TypeError:
-        pass
-    message = f"triangles[{t}]: three vertex numbers are expected"
-    raise InputError("schema", message, {"path": f"triangles[{t}]"})
+def _points_of(mesh: Mesh | ArrayMesh) -> Callable[[int], HPoint]:
+    """The point of a vertex, exactly."""
+    return mesh.points.point if isinstance(mesh, ArrayMesh) else mesh.vertices.__getitem__
 
 
-def _rings(value: Mapping[str, Any] | Iterable[Any]) -> list[list[HPoint]]:
-    """The rings of a polygon: `{"outer", "holes"}`, a list of rings, or one ring."""
-    if isinstance(value, Mapping):
-        value = [value.get("outer"), *_listed(value.get("holes", []), "holes")]
-    rings = [_listed(ring, f"ring {r}") for r, ring in enumerate(_listed(value, "polygon"))]
-    if rings and rings[0] and not _is_pair(rings[0][0]):
-        return [_points(rings, "ring 0")]
-    return [_points(ring, f"ring {r}") for r, ring in enumerate(rings)]
-
-
-def _is_pair(value: Any) -> bool:
-    """Is this a point rather than a coordinate?"""
-    return isinstance(value, Iterable) and not isinstance(value, str)
+def _indices_of(mesh: Mesh | ArrayMesh) -> tuple[Indices, int]:
+    """The triangles as an array, and the number of vertices."""
+    if isinstance(mesh, ArrayMesh):
+        return mesh.triangles, len(mesh.points)
+    return index_array(mesh.triangles), len(mesh.vertices)

@@ -8,7 +8,8 @@ from typing import Any
 from gmpy2 import mpq
 
 from bern_exact.exact.angles import Angle
-from bern_exact.exact.enclosures import degrees_enclosure
+from bern_exact.exact.enclosures import decimal_enclosure, degrees_enclosure
+from bern_exact.exact.numbers import parse_rational
 from bern_exact.exact.points import HPoint, coordinates
 
 DEFECTS = {
@@ -74,7 +75,13 @@ class Defect:
         >>> Defect.of("clockwise-triangle", {"triangle": 3}, {}).sentence
         'clockwise-triangle: triangle 3 (the triangle runs clockwise)'
         """
-        return f"{self.message} ({DEFECTS[self.kind]})"
+        words = DEFECTS[self.kind]
+        if "distance" in self.witness:
+            low, _ = self.witness["distance"]
+            _, ulps = self.witness["ulps"]
+            edge = self.witness["polygon_edge"]
+            words += f": {low}... or less than {ulps} ulps from edge {edge}"
+        return f"{self.message} ({words})"
 
     def to_json(self) -> dict[str, Any]:
         """The defect as an object of `verify --json`."""
@@ -135,9 +142,18 @@ class Verdict:
     angle_classes : dict
         The number of triangles in each of `ANGLE_CLASSES`.
     within_tolerance : bool or None
-        Whether the mesh is valid but for rounding on the boundary; None if that was not asked.
+        Whether the mesh is valid but for boundary vertices at most `tolerance` off their edges of
+        the polygon; None if that was not asked.
+    tolerance : mpq or None
+        The distance that was asked.
+    off_edge : dict or None
+        How many boundary vertices are off their edges, and the one that is by most: `vertices`,
+        `vertex`, `point`, `polygon_edge`, `distance_squared`, `distance`, `ulps`.  None if there is
+        none, or it is not known which edge is whose; see `departures`.
     feature_size_squared : mpq or None
         s^2 of the polygon (Definition 1); None without a polygon or from a judge alone.
+    polygon_vertices : int or None
+        How many vertices the polygon has; likewise.
     """
 
     valid: bool
@@ -150,13 +166,46 @@ class Verdict:
     min_height_triangle: int | None
     angle_classes: dict[str, int]
     within_tolerance: bool | None = field(default=None)
+    tolerance: mpq | None = field(default=None)
+    off_edge: dict[str, Any] | None = field(default=None)
     feature_size_squared: mpq | None = field(default=None)
+    polygon_vertices: int | None = field(default=None)
 
     def __bool__(self) -> bool:
-        return self.valid
+        return self.valid or self.within_tolerance is True
+
+    @property
+    def state(self) -> str:
+        """The answer in a few words.
+
+        >>> from gmpy2 import mpq
+        >>> Verdict(False, (), 1, 3, None, None, None, None, {}, True, mpq(1, 10**16)).state
+        'valid within 1e-16'
+        """
+        if self.valid:
+            return "valid"
+        if self.tolerance is None:
+            return "not valid"
+        low, _ = decimal_enclosure(self.tolerance, self.tolerance)
+        shown = low if parse_rational(low) == self.tolerance else str(self.tolerance)
+        return f"{'valid' if self.within_tolerance else 'not valid, not even'} within {shown}"
+
+    @property
+    def height_ratio_squared(self) -> mpq | None:
+        """The least squared height over the squared feature size; at most 1 in a valid mesh."""
+        if self.min_height_squared is None or self.feature_size_squared is None:
+            return None
+        return self.min_height_squared / self.feature_size_squared
+
+    @property
+    def triangles_per_vertex(self) -> mpq | None:
+        """Triangles a vertex of the polygon."""
+        return mpq(self.triangles, self.polygon_vertices) if self.polygon_vertices else None
 
     def __repr__(self) -> str:
-        state = "valid" if self.valid else f"not valid, {len(self.defects)} defects listed"
+        state = self.state
+        if self.defects:
+            state += f", {len(self.defects)} defect{'s' * (len(self.defects) > 1)} listed"
         lines = [f"<Verdict: {state}; {self.triangles} triangles, {self.vertices} vertices"]
         if self.max_angle is not None and self.min_height_squared is not None:
             low, high = degrees_enclosure(self.max_angle)
@@ -168,11 +217,11 @@ class Verdict:
         return "\n".join(lines) + ">"
 
     def to_json(self) -> dict[str, Any]:
-        """The object of `verify --json`."""
+        """The object of `verify --json`; what only some verdicts have comes last."""
         angle: dict[str, Any] | None = None
         if self.max_angle is not None:
             angle = {**angle_json(self.max_angle), "triangle": self.max_angle_triangle}
-        return {
+        record = {
             "valid": self.valid,
             "within_tolerance": self.within_tolerance,
             "defects": [defect.to_json() for defect in self.defects],
@@ -183,6 +232,13 @@ class Verdict:
             "feature_size_squared": _text(self.feature_size_squared),
             "angle_classes": self.angle_classes,
         }
+        more = {
+            "tolerance": _text(self.tolerance),
+            "off_edge": self.off_edge,
+            "height_ratio_squared": _text(self.height_ratio_squared),
+            "triangles_per_vertex": _text(self.triangles_per_vertex),
+        }
+        return record | {name: value for name, value in more.items() if value is not None}
 
 
 def angle_json(angle: Angle) -> dict[str, Any]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from gmpy2 import mpq
 
-from bern_exact.corpus.paper_graphs import PlaneGraph
 from bern_exact.exact.points import coordinates, hpoint
+from bern_exact.plane.plane_graph import PlaneGraph
 from bern_exact.view.canvas import Plane, Window, path_data
 from bern_exact.view.page import Page
 
@@ -28,8 +28,8 @@ def draw_graph(graph: PlaneGraph, *, stretch: int | mpq = 1) -> str:
     str
         The file's text; the same for the same graph, on any machine.
 
-    >>> from bern_exact.corpus.paper_graphs import triangle_on_rectangle
-    >>> 'class="outline"' in draw_graph(triangle_on_rectangle(5), stretch=4)
+    >>> graph = PlaneGraph("edge", (hpoint(0, 0), hpoint(3, 1)), ((0, 1),))
+    >>> 'class="outline"' in draw_graph(graph, stretch=4)
     True
     """
     places = [coordinates(p) for p in graph.points]

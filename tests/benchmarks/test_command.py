@@ -11,7 +11,7 @@ from benchmarks.peers import __main__ as command
 from benchmarks.peers import cases
 from benchmarks.peers.cases import FAMILIES, STAR_400, every_case, quick_cases
 from benchmarks.peers.meshers import Mesher
-from bern_exact.oracle.api import polygon_of
+from bern_exact.oracle.arguments import polygon_of
 from bern_exact.plane.polygon import Polygon
 from tests.benchmarks.fakes import SQUARE
 

@@ -13,7 +13,7 @@ from bern_exact.corpus.slits import comb
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.exact.predicates import orientation
-from bern_exact.oracle.api import polygon_of
+from bern_exact.oracle.arguments import polygon_of
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.triangulation import triangulate_polygon
 

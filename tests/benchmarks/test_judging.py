@@ -13,7 +13,7 @@ from benchmarks.peers.figures import standing
 from benchmarks.peers.floats import mesh_of_floats
 from benchmarks.peers.judging import Judged, judged
 from bern_exact.exact.angles import ANGLE_90, Angle
-from bern_exact.oracle.api import polygon_of
+from bern_exact.oracle.arguments import polygon_of
 from tests.benchmarks.fakes import SQUARE
 from tests.benchmarks.made import verdict
 

@@ -11,7 +11,7 @@ import pytest
 from benchmarks.peers.cases import Case
 from benchmarks.peers.meshers import Mesher
 from benchmarks.peers.runs import GIB, Limits, Record, available, ending, measure
-from bern_exact.oracle.api import polygon_of
+from bern_exact.oracle.arguments import polygon_of
 from bern_exact.oracle.judge import judge, load
 from tests.benchmarks.fakes import SQUARE
 from tests.benchmarks.made import record

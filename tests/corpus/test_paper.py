@@ -21,7 +21,6 @@ from bern_exact.corpus.paper import (
     thin_rectangle,
 )
 from bern_exact.corpus.paper_graphs import (
-    PlaneGraph,
     accordion,
     accordion_mesh,
     descents,
@@ -35,6 +34,7 @@ from bern_exact.exact.predicates import squared_distance, squared_height
 from bern_exact.interior.subdivided.strips import strips
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.mesh import Mesh
+from bern_exact.plane.plane_graph import PlaneGraph
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
 from bern_exact.theorems.theorem_1 import theorem_1

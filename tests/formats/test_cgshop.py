@@ -25,7 +25,8 @@ from bern_exact.formats.cgshop import (
     solution_document,
 )
 from bern_exact.formats.polygon_json import dump_polygon
-from bern_exact.oracle.api import polygon_of, verify
+from bern_exact.oracle.api import verify
+from bern_exact.oracle.arguments import polygon_of
 from bern_exact.plane.mesh import Mesh
 
 HOOK: dict[str, Any] = {
