@@ -9,6 +9,7 @@ looked at one by one: exactly, slowly, and with the line at fault.
 
 from __future__ import annotations
 
+import codecs
 import os
 import re
 import warnings
@@ -52,7 +53,7 @@ _COMMENT = re.compile(rb"#[^\n]*")
 
 
 def read_bytes(path: str | os.PathLike[str]) -> bytes:
-    """All of a file.
+    """All of a file, without a byte order mark of UTF-8.
 
     Raises
     ------
@@ -65,7 +66,7 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
         data = stream.read(MAX_BYTES + 1)
     if len(data) > MAX_BYTES:
         raise InputError("syntax", f"the file is longer than {MAX_BYTES:,} bytes")
-    return data
+    return data.removeprefix(codecs.BOM_UTF8)
 
 
 def without_comments(data: bytes) -> bytes:
