@@ -16,8 +16,6 @@
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
-
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Number = Kernel::FT;
 using Exact = Kernel::Exact_kernel::FT;
@@ -32,6 +30,15 @@ static Number number(const std::string& text) {
     Exact value;
     stream >> value;
     return Number(value);
+}
+
+// The most memory that this process has had, in MiB; 0 where /proc does not tell.
+static double peak() {
+    std::ifstream status("/proc/self/status");
+    std::string line;
+    while (std::getline(status, line))
+        if (line.rfind("VmHWM:", 0) == 0) return std::stod(line.substr(6)) / 1024;
+    return 0;
 }
 
 struct Triangle {
@@ -92,12 +99,10 @@ int main(int, char** arguments) {
         if (flattest < 0 || height * longest < square * edge)
             flattest = t, square = height, longest = edge;
     }
-    struct rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
     std::printf(
         "{\"read\": %.3f, \"judged\": %.3f, \"mib\": %.0f, \"clockwise\": %zu, \"twice\": %zu, "
         "\"sides\": %zu, \"worst\": %lld, \"flattest\": %lld}\n",
-        read - started, seconds() - read, usage.ru_maxrss / 1024.0, clockwise, twice, sides,
+        read - started, seconds() - read, peak(), clockwise, twice, sides,
         static_cast<long long>(worst), static_cast<long long>(flattest));
     return 0;
 }
