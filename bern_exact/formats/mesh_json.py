@@ -109,7 +109,7 @@ def _triangles_at_once(value: Any) -> Indices | None:
     if not set(map(type, flat)) <= {int}:
         return None
     try:
-        return np.array(flat, dtype=np.int64).reshape(-1, 3)
+        return np.fromiter(flat, dtype=np.int64, count=len(flat)).reshape(-1, 3)
     except OverflowError:
         return None
 

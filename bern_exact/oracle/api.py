@@ -16,11 +16,15 @@ from bern_exact.oracle.arguments import angle_of, exact, mesh_of, polygon_of
 from bern_exact.oracle.boundary_rings import boundary_rings
 from bern_exact.oracle.departures import Departure, beyond, departures, furthest, nearest
 from bern_exact.oracle.fast import verify_mesh
+from bern_exact.oracle.filtered import verify_arrays
 from bern_exact.oracle.verdict import Defect, Verdict, point_json
 from bern_exact.plane.array_mesh import ArrayMesh, Indices, index_array
 from bern_exact.plane.feature_size import feature_size
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
+
+MANY = 300
+"""So many triangles are judged by the filtered judge, which takes 2 ms to get going."""
 
 
 def verify(
@@ -124,8 +128,8 @@ def verdict_on(
         raise InputError("number", f"the tolerance {tolerance} is negative")
 
     def judge(polygon: Polygon | None) -> Verdict:
-        return verify_mesh(
-            mesh if isinstance(mesh, Mesh) else mesh.mesh,
+        return _judge(
+            mesh,
             polygon,
             max_angle=max_angle,
             min_height_squared=min_height_squared,
@@ -149,6 +153,14 @@ def verdict_on(
         feature_size_squared=feature_size(polygon).squared,
         polygon_vertices=polygon.n,
     )
+
+
+def _judge(mesh: Mesh | ArrayMesh, polygon: Polygon | None, **bounds: Any) -> Verdict:
+    """The verdict of the judge that is faster; both say the same."""
+    if len(mesh.triangles) < MANY:
+        return verify_mesh(mesh if isinstance(mesh, Mesh) else mesh.mesh, polygon, **bounds)
+    arrays = mesh if isinstance(mesh, ArrayMesh) else ArrayMesh.of_mesh(mesh)
+    return verify_arrays(arrays, polygon, **bounds)
 
 
 def _with_departures(
