@@ -23,6 +23,9 @@ DISPLAY: dict[str, str] = {}
 # Path -> the proved bound by which a float there may decide, and what decides beyond it.
 FILTERS: dict[str, str] = {
     "plane/array_mesh.py": "doubles next to exact coordinates, within 2^-52 of them",
+    "plane/text_points.py": "the same, of numbers that are still text",
+    "oracle/filters.py": "balls that hold the exact value: proofs/float_filter.py; then integers",
+    "oracle/estimates.py": "the same balls, of triangles",
 }
 
 # Path -> the modules named below that it may import, with the reason.
@@ -57,6 +60,13 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "formats/vtu.py": {"numpy": "words, by number"},
     "formats/meshio_files.py": {"numpy": "meshio's arrays of doubles, each exactly"},
     "formats/obj.py": {"numpy": "rows of words, indices"},
+    "plane/text_points.py": {"numpy": "doubles that filter"},
+    "formats/mesh_json.py": {"numpy": "indices"},
+    "oracle/filters.py": {"numpy": "doubles that filter"},
+    "oracle/estimates.py": {"numpy": "doubles that filter"},
+    "oracle/incidence.py": {"numpy": "sorting"},
+    "oracle/lazy_points.py": {"numpy": "sorting"},
+    "oracle/filtered.py": {"numpy": "doubles compared with bounds, on the safe side"},
 }
 
 # Path -> how long it may be, for files that are longer than others.

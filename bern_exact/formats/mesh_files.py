@@ -21,7 +21,7 @@ from bern_exact.formats import (
     vtk,
     vtu,
 )
-from bern_exact.formats.mesh_json import dumps_mesh, read_mesh
+from bern_exact.formats.mesh_json import dumps_mesh, load_array_mesh, read_array_mesh
 from bern_exact.plane.array_mesh import ArrayMesh
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
@@ -52,15 +52,13 @@ def _load_json(source: Path, /, *, binary64: bool, polygon: Path | None) -> Foun
         mesh, own = cgshop_solution.read_solution(
             document, source, binary64=binary64, polygon=polygon
         )
-    else:
-        mesh, own = read_mesh(document, binary64=binary64)
-    return ArrayMesh.of_mesh(mesh), own
+        return ArrayMesh.of_mesh(mesh), own
+    return read_array_mesh(document, binary64=binary64)
 
 
 def _load_document(source: Path, /, *, binary64: bool, polygon: Path | None) -> Found:
     """The mesh in a `bern-exact/mesh`."""
-    mesh, own = read_mesh(safe_json.load(source), binary64=binary64)
-    return ArrayMesh.of_mesh(mesh), own
+    return load_array_mesh(source, binary64=binary64)
 
 
 def _load_cgshop(source: Path, /, *, binary64: bool, polygon: Path | None) -> Found:

@@ -159,7 +159,7 @@ def _triangles_2(cursor: Cursor) -> Indices:
     if len(wrong):
         message = "a triangle has as many tags as it says, and three nodes"
         raise text.refuse("syntax", message, int(first[wrong[0]]))
-    return text.integers(columns(first[of] + 3 + tags[of], 0, 1, 2))
+    return text.integers(columns(first[of] + 3 + tags[of].astype(np.int64), 0, 1, 2))
 
 
 def _check_kinds(text: TokenText, kinds: Indices, words: Chosen) -> None:

@@ -9,6 +9,7 @@ looked at one by one: exactly, slowly, and with the line at fault.
 
 from __future__ import annotations
 
+import codecs
 import os
 import re
 import warnings
@@ -52,7 +53,7 @@ _COMMENT = re.compile(rb"#[^\n]*")
 
 
 def read_bytes(path: str | os.PathLike[str]) -> bytes:
-    """All of a file.
+    """All of a file, without a byte order mark of UTF-8; a CR ends a line where no LF does.
 
     Raises
     ------
@@ -65,7 +66,8 @@ def read_bytes(path: str | os.PathLike[str]) -> bytes:
         data = stream.read(MAX_BYTES + 1)
     if len(data) > MAX_BYTES:
         raise InputError("syntax", f"the file is longer than {MAX_BYTES:,} bytes")
-    return data
+    data = data.removeprefix(codecs.BOM_UTF8)
+    return data if b"\n" in data else data.replace(b"\r", b"\n")
 
 
 def without_comments(data: bytes) -> bytes:
@@ -239,10 +241,13 @@ class TokenText:
             raise self.refuse(kind, f"{shown(text)} {why}", word)
         return int(mpz(text.lstrip("+")))
 
-    def _doubles(self, flat: Chosen) -> Doubles | None:
-        """The doubles nearest to decimals; None if some are huge, tiny or no decimals."""
+    def _doubles(self, flat: Chosen) -> tuple[Doubles, bool] | None:
+        """The doubles nearest to decimals, and whether all are integers that doubles hold.
+
+        None if some are huge, tiny or no decimals.
+        """
         if len(flat) == 0:
-            return np.empty(0)
+            return np.empty(0), True
         text = self._alone(flat, _DIGITS + b".eE")
         found = None if text is None else _scanned(text, np.float64, len(flat))
         if found is None or text is None or not np.isfinite(found).all():
@@ -250,12 +255,14 @@ class TokenText:
         lengths = self.ends[flat] - self.starts[flat]
         if int(lengths.max()) > _LONGEST_DOUBLE:
             return None
-        if b"e" in text or b"E" in text:  # 1e-999 is not 0, and 1e-99999 is refused
+        exponents = b"e" in text or b"E" in text
+        if exponents:  # 1e-999 is not 0, and 1e-99999 is refused
             zeros = flat[(found == 0) & (lengths > 1)]
             if not all(_ZERO.fullmatch(self.raw(w)) for w in zeros.tolist()):
                 return None
         found += 0  # -0 becomes 0
-        return found
+        whole = not exponents and b"." not in text
+        return found, whole and bool(np.all(np.abs(found) < _LEAST_INEXACT))
 
     def points(self, chosen: Chosen, *, binary64: bool) -> Points:
         """The points whose coordinates the chosen words, (V, 2), are.
@@ -266,12 +273,12 @@ class TokenText:
             Kind `number`, with the line: a word that `parse_rational` does not read.
         """
         flat = chosen.reshape(-1)
-        doubles = self._doubles(flat)
-        if doubles is None or (binary64 and self._has_long_integers(flat, doubles)):
+        found = self._doubles(flat)
+        if found is None or (binary64 and self._has_long_integers(flat, found[0])):
             pairs = [[self._rational(w, binary64) for w in pair] for pair in chosen.tolist()]
             return ExactPoints([hpoint(x, y) for x, y in pairs])
-        pairs_of_doubles = doubles.reshape(-1, 2)
-        if binary64:
+        pairs_of_doubles, whole = found[0].reshape(-1, 2), found[1]
+        if binary64 or whole:
             return DoublePoints(pairs_of_doubles)
         texts = _Texts(self.data, self.starts[flat], self.ends[flat])
         return TextPoints(texts, pairs_of_doubles)
@@ -296,8 +303,8 @@ class TokenText:
         InputError
             Kind `unsupported`: a coordinate is not 0; `number`: one is no number.
         """
-        doubles = self._doubles(chosen)
-        bad = range(len(chosen)) if doubles is None else np.flatnonzero(doubles).tolist()
+        found = self._doubles(chosen)
+        bad = range(len(chosen)) if found is None else np.flatnonzero(found[0]).tolist()
         for i in bad:
             if self._rational(int(chosen[i]), False) != 0:
                 message = "the mesh is not planar: a third coordinate is not 0"

@@ -108,9 +108,9 @@ def read_nodes(text: TokenText, *, binary64: bool) -> tuple[Nodes, int]:
         return Nodes(text.points(np.empty((0, 2), dtype=np.int64), binary64=binary64), 0), 1
     numbers = text.integers(first)
     base = int(numbers[0])
-    wrong = np.flatnonzero(numbers != base + np.arange(count))
-    if base not in (0, 1) or len(wrong):
-        word = int(first[wrong[0] if base in (0, 1) else 0])
+    wrong = np.flatnonzero(numbers != base + np.arange(count)) if base in (0, 1) else [0]
+    if len(wrong):
+        word = int(first[wrong[0]])
         message = "vertices are numbered in order from 0 or 1, and this is no. "
         raise text.refuse("syntax", message + shown(text.text(word)), word)
     return Nodes(text.points(columns(first, 1, 2), binary64=binary64), base), 1 + count

@@ -43,7 +43,7 @@ def load_polygon(source: Path, /, *, binary64: bool) -> Polygon:
     ------
     InputError
         Kind `unsupported`: vertices on no segment, segments that form no rings, rings inside
-        without a hole point; `schema`: a hole point in no hole, no such vertex, or no `.node`;
+        without a hole point; `schema`: a hole point of the polygon, no such vertex, or no `.node`;
         `syntax` or `number` with the line; or the kinds of `polygon_from_rings`.
     OSError
         A file cannot be read.
@@ -145,7 +145,7 @@ def _outermost(rings: Sequence[Sequence[HPoint]]) -> int:
 
 
 def _check_holes(polygon: Polygon, hole_points: Sequence[HPoint]) -> None:
-    """Refuse holes without a point inside, and points inside no hole."""
+    """Refuse holes without a point inside, and points of the polygon; others do no harm."""
     holes = [polygon.input_ring(r) for r in range(1, len(polygon.rings))]
     boxes = [_box(hole) for hole in holes]
     marked = bytearray(len(holes))
@@ -155,14 +155,15 @@ def _check_holes(polygon: Polygon, hole_points: Sequence[HPoint]) -> None:
             (
                 h
                 for h, (left, right, low, high) in enumerate(boxes)
-                if left < x < right and low < y < high and _is_inside(p, holes[h])
+                if left < x < right and low < y < high and _place(p, holes[h]) > 0
             ),
             None,
         )
-        if around is None:
+        if around is not None:
+            marked[around] = 1
+        elif _place(p, polygon.input_ring(0)) >= 0:
             message = f"hole point {i} of the .poly lies inside no hole"
             raise InputError("schema", message, {"hole_point": i})
-        marked[around] = 1
     if 0 in marked:
         ring = marked.index(0) + 1
         message = (
@@ -179,19 +180,19 @@ def _box(ring: Sequence[HPoint]) -> tuple[mpq, mpq, mpq, mpq]:
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def _is_inside(p: HPoint, ring: Sequence[HPoint]) -> bool:
-    """Is p strictly inside a simple ring?"""
+def _place(p: HPoint, ring: Sequence[HPoint]) -> int:
+    """1 if p is strictly inside a simple ring, 0 if on it, -1 if outside."""
     y = mpq(p[1], p[2])
     inside = False
     for i, b in enumerate(ring):
         a = ring[i - 1]
         turn = orientation(a, b, p)
         if turn == 0 and _is_between(a, p, b):
-            return False
+            return 0
         above_a, above_b = mpq(a[1], a[2]) > y, mpq(b[1], b[2]) > y
         if above_a != above_b and (turn > 0) == above_b:
             inside = not inside
-    return inside
+    return 1 if inside else -1
 
 
 def _is_between(a: HPoint, p: HPoint, b: HPoint) -> bool:
@@ -241,7 +242,7 @@ def _inside(ring: Sequence[HPoint], number: int) -> tuple[str, str]:
         middles.append((-area, hpoint((a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3)))
     for _, middle in sorted(middles):
         p = _rounded(middle)
-        if _is_inside(p, read) and _is_inside(p, ring):
+        if _place(p, read) > 0 and _place(p, ring) > 0:
             return Rounding().pairs([p])[0]
     message = f"hole {number} has no double inside that .poly could mark it by"
     raise InputError("number", message, {"ring": number})

@@ -41,6 +41,10 @@ Spot = tuple[HPoint, Vector, Vector]
 """(m, d, n): the point m + e n + e^2 d for all small e > 0."""
 
 
+class PointSet(Sequence[HPoint]):
+    """Points of which it is told quickly whether one is among them."""
+
+
 def look_at_sides(
     vertices: Sequence[HPoint], sides: Sequence[Side], polygon: Polygon | None, found: Findings
 ) -> None:
@@ -65,7 +69,7 @@ def look_at_sides(
     for p, q, times, place in outline:
         lines[_line(p, q)].append((p, q, times, place))
     if polygon is not None:
-        corners = set(vertices)
+        corners = vertices if isinstance(vertices, PointSet) else set(vertices)
         for p, (_, _, _, place) in zip(polygon.points, outline, strict=True):
             if p not in corners:
                 where = {"polygon_vertex": place["polygon_edge"]}
@@ -149,7 +153,7 @@ def _name_what_is_wrong(
             found.add(kind, {"edge": edge}, {"other": list(sides[j][:2])})
     if polygon is not None:
         ends = {u for p, q, net, _ in wrong if net for u in (p, q)}
-        _name_vertices_off_edges(vertices, ends, outline, found)
+        _name_vertices_off_edges(vertices, sides, ends, outline, found)
     directed = [(vertices[a], vertices[b], times) for a, b, times in sides]
     if polygon is None and not clashes and _is_covered_once(vertices, sides, directed):
         return
@@ -173,17 +177,20 @@ def _name_what_is_wrong(
 
 
 def _name_vertices_off_edges(
-    vertices: Sequence[HPoint], ends: set[HPoint], outline: Sequence[Piece], found: Findings
+    vertices: Sequence[HPoint],
+    sides: Sequence[Side],
+    ends: set[HPoint],
+    outline: Sequence[Piece],
+    found: Findings,
 ) -> None:
     """Those of the ends of wrong stretches that lie on no edge of the polygon."""
     boxes = [_box(coordinates(p), coordinates(q)) for p, q, _, _ in outline]
-    seen: set[HPoint] = set()
-    for v, point in enumerate(vertices):
+    for v in sorted({v for side in sides for v in side[:2]}):
+        point = vertices[v]
         if found.full:
             break
-        if point not in ends or point in seen:
+        if point not in ends:
             continue
-        seen.add(point)
         x, y = coordinates(point)
         if not any(
             left <= x <= right and low <= y <= high and orientation(p, q, point) == 0

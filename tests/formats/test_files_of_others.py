@@ -9,6 +9,7 @@ import pytest
 from bern_exact.exact.points import coordinates
 from bern_exact.formats import read_array_mesh_file, read_polygon_file
 from bern_exact.formats.triangle_mesh import load_mesh
+from bern_exact.oracle.api import polygon_of
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.array_mesh import DoublePoints
 
@@ -80,3 +81,26 @@ def test_a_mesh_and_a_boundary_by_the_real_packages(tmp_path: Path) -> None:
         found, _ = read_array_mesh_file(tmp_path / name, binary64=True)
         assert found.points.doubles.tolist() == made["vertices"].tolist()
         assert found.triangles.tolist() == made["triangles"].tolist()
+
+
+@pytest.mark.parametrize("version", [2.2, 4.1])
+@pytest.mark.parametrize("binary", [0, 1])
+def test_a_mesh_by_the_real_gmsh(tmp_path: Path, version: float, binary: int) -> None:
+    gmsh = pytest.importorskip("gmsh")
+    pytest.importorskip("meshio")
+    path = tmp_path / "a.msh"
+    gmsh.initialize(interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.option.setNumber("Mesh.MshFileVersion", version)
+        gmsh.option.setNumber("Mesh.Binary", binary)
+        gmsh.model.occ.addRectangle(0, 0, 0, 3, 1)
+        gmsh.model.occ.synchronize()
+        gmsh.model.mesh.generate(2)
+        gmsh.write(str(path))
+        tags, _, _ = gmsh.model.mesh.getNodes()
+    finally:
+        gmsh.finalize()
+    found, _ = read_array_mesh_file(path, binary64=True)
+    assert len(found.points) == len(tags)
+    assert verify_mesh(found.mesh, polygon_of([(0, 0), (3, 0), (3, 1), (0, 1)])).valid

@@ -194,6 +194,7 @@ def read(folder: Path, name: str, text: str | bytes) -> list[list[int]]:
 def test_what_other_programs_print(tmp_path: Path, name: str, text: str, ends: str) -> None:
     text = text.replace("\n", ends)
     wanted = [[1, 2, 3], [1, 3, 0]] if name == "4.msh" else SQUARE
+    assert read(tmp_path, name, b"\xef\xbb\xbf" + text.encode()) == wanted
     assert read(tmp_path, name, text) == wanted
     if not name.endswith(("vtu", "vtk")):
         assert read(tmp_path, name, text.replace(" ", " \t ")) == wanted

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from gmpy2 import mpq
@@ -12,7 +14,7 @@ from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.exact.points import coordinates
 from bern_exact.formats.token_text import TokenText, columns, without_comments
-from bern_exact.plane.array_mesh import DoublePoints, nearest_double
+from bern_exact.plane.array_mesh import DoublePoints, ExactPoints, nearest_double
 from bern_exact.plane.text_points import TextPoints
 
 signs = st.sampled_from(["", "-", "+"])
@@ -134,9 +136,31 @@ def test_comments_keep_the_lines() -> None:
     assert without_comments(b"1 # a\n#\n2#") == b"1 \n\n2"
 
 
-def test_short_integers_read_as_doubles_are_doubles() -> None:
-    points = TokenText(b"1 0.1").points(np.array([[0, 1]]), binary64=True)
-    assert isinstance(points, DoublePoints)
+@pytest.mark.parametrize(
+    ("text", "binary64", "kind"),
+    [
+        (b"1 0.1", True, DoublePoints),
+        (b"1 0.1", False, TextPoints),
+        (b"1 -9007199254740991", False, DoublePoints),
+        (b"1 9007199254740992", False, TextPoints),
+        (b"1 9007199254740993", True, ExactPoints),
+        (b"1 9007199254740993.0", True, DoublePoints),
+        (b"1 1e0", False, TextPoints),
+        (b"1 1/3", False, ExactPoints),
+        (b"1 1e999", False, ExactPoints),
+    ],
+)
+def test_doubles_where_they_are_the_coordinates_texts_elsewhere(
+    text: bytes, binary64: bool, kind: type[object]
+) -> None:
+    assert isinstance(TokenText(text).points(np.array([[0, 1]]), binary64=binary64), kind)
+
+
+@pytest.mark.parametrize("ends", [b"\n", b"\r\n", b"\r"])
+def test_lines_end_as_they_do_anywhere(tmp_path: Path, ends: bytes) -> None:
+    path = tmp_path / "a"
+    path.write_bytes(b"\xef\xbb\xbf1 # c" + ends + b"2")
+    assert TokenText.of_file(path, comments=True).row_first.tolist() == [0, 1]
 
 
 def test_a_third_coordinate_that_is_tiny_is_not_0() -> None:

@@ -70,6 +70,7 @@ def zero_based(text: str) -> str:
         FRAME.replace("# A", "# \xc4"),
         FRAME.rstrip("\n"),
         FRAME + "1\n1 5 5 3 0.1\n# regions are passed over\n",
+        FRAME.replace("1\n1 1.5 1.5", "2\n1 1.5 1.5\n2 12 5"),  # a hole point outside
         zero_based(FRAME),
     ],
 )
