@@ -133,15 +133,15 @@ ERRATA = (
     Erratum(
         (),
         2,
-        "Refutes Lemma 6's boundary of length O(n) under a fixed parity, as a region of "
-        "unit cells: cutting off squares so that corners become even makes 22 edges 24.",
+        "Refutes Lemma 6's boundary of length O(n) under a fixed parity, as a region of unit "
+        "cells: cutting off squares so that corners become even lengthens it from 22 to 24.",
         [[(0, 0), (6, 0), (6, 4), (3, 4), (3, 3), (2, 3), (2, 4), (0, 4)]],
     ),
     Erratum(
         (),
         2,
-        "Refutes the placement of Steiner points in Lemma 7, as a rectangle with subdivisions "
-        "at least 1 apart: (2, 1) is allowed; either diagonal beside it leaves 146 degrees.",
+        "Refutes the placement of Steiner points in Lemma 7, as a rectangle with subdivisions at "
+        "least 1 apart: (2, 1) is allowed, and either diagonal beside it leaves 146 degrees.",
         [[(0, 0), (20, 0), (20, 2), (10, 2), (0, 2), (0, 1)]],
     ),
     Erratum(

@@ -108,7 +108,7 @@ FAMILIES = (
         "high-bits",
         "short numbers: denominators of up to 200 bits, all different",
         ("many-digits", "needs-rationals"),
-        {"n": (5, 10), "holes": (0, 1), "bits": (60, 200)},
+        {"n": (5, 10), "holes": (0, 1), "bits": (80, 200)},
         by_name(high_bits),
     ),
     Family(

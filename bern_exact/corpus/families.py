@@ -26,7 +26,7 @@ from bern_exact.corpus import (
 )
 from bern_exact.corpus.draws import Rings, between, hpoints, reason_against, until
 from bern_exact.corpus.family import Family
-from bern_exact.corpus.flags import in_order, number_flags, polygon_flags
+from bern_exact.corpus.flags import DECLARED, in_order, number_flags, polygon_flags
 from bern_exact.plane.validation import polygon_from_rings
 from bern_exact.theorems.stages import RefusedOption
 
@@ -92,8 +92,8 @@ def drawn(family: Family, seed: str, given: Mapping[str, int] | None = None) -> 
 
     Notes
     -----
-    Rings are drawn until the validation accepts them; of a bad family until it refuses them for
-    one of `family.errors`.  The flags take O(n^2).
+    Rings are drawn until the validation accepts them, or of a bad family until it refuses them for
+    one of `family.errors`, and they have all of the family's flags.  The flags take O(n^2).
 
     Examples
     --------
@@ -110,17 +110,26 @@ def drawn(family: Family, seed: str, given: Mapping[str, int] | None = None) -> 
         name: given.get(name, between(random, least, most))
         for name, (least, most) in family.parameters.items()
     }
-    wanted = family.errors or (None,)
-    rings = until(
-        lambda: family.draw(random, parameters), lambda rings: reason_against(rings) in wanted
-    )
+    rings = until(lambda: family.draw(random, parameters), lambda rings: _is_member(family, rings))
     comment = family.says(parameters) if family.says else f"Against {family.breaks}."
     if family.errors:
-        found = [*number_flags(rings)]
         comment += f" Must be refused: {reason_against(rings)}."
-    else:
-        found = [*polygon_flags(polygon_from_rings(hpoints(rings)))]
-    return Drawn(rings, parameters, in_order([*family.flags, *found]), comment)
+    flags = in_order([*family.flags, *_measured(family, rings)])
+    return Drawn(rings, parameters, flags, comment)
+
+
+def _is_member(family: Family, rings: Rings) -> bool:
+    """Are these rings what the family says?"""
+    if reason_against(rings) not in (family.errors or (None,)):
+        return False
+    return set(family.flags) <= {*DECLARED, *_measured(family, rings)}
+
+
+def _measured(family: Family, rings: Rings) -> set[str]:
+    """The flags that the rings are found to have."""
+    if family.errors:
+        return set(number_flags(rings))
+    return set(polygon_flags(polygon_from_rings(hpoints(rings))))
 
 
 def _refuse_unknown(family: Family, given: Mapping[str, int]) -> None:

@@ -8,12 +8,14 @@ import pickle
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from itertools import pairwise
 from random import Random
 
 import pytest
 from gmpy2 import mpq
 
+from bern_exact.corpus import draws
 from bern_exact.corpus.draws import hpoints, reason_against
 from bern_exact.corpus.families import FAMILIES, drawn
 from bern_exact.corpus.flags import DECLARED, FLAGS
@@ -43,7 +45,7 @@ THEOREM_ERRORS = {"not-convex", "has-holes"}
 EXACT_N = ("random", "random-grid", "grown", "star", "huge", "odd-fractions", "cocircular", "arc")
 """Families whose members have just n vertices."""
 
-GOLDEN = "c9af18cfbff8cac56651f43e3f560cdd6633ee4bfbf7f92f2d2ac7e5671c1464"
+GOLDEN = "7768da32b3df9219c9b1e7efde8a4bf85add778f88de1dfbf538c5d9e85000db"
 """Of two draws of each family.  Another digest is another version of the generator."""
 
 
@@ -145,6 +147,21 @@ def test_larger_members_on_request() -> None:
 def test_impossible_parameters_are_refused(name: str, given: dict[str, int]) -> None:
     with pytest.raises(RefusedOption):
         drawn(FAMILIES[name], "seed", given)
+
+
+@pytest.mark.parametrize("flags", [("holes",), ("convex", "reflex")])
+def test_no_member_lacks_a_flag_of_its_family(
+    flags: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(draws, "MOST_ATTEMPTS", 20)
+    with pytest.raises(RefusedOption):
+        drawn(replace(FAMILIES["triangle"], flags=flags), "seed")
+
+
+def test_what_is_refused_for_another_reason_is_no_member(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(draws, "MOST_ATTEMPTS", 20)
+    with pytest.raises(RefusedOption):
+        drawn(replace(FAMILIES["bad-zero-area"], errors=("edges-cross",)), "seed")
 
 
 @every_family
