@@ -95,13 +95,13 @@ def distance_words(witness: Mapping[str, Any]) -> str:
     """How far a vertex is from where it belongs, in a few words.
 
     >>> distance_words({"polygon_edge": [0, 7], "distance": ["0.25", "0.25"], "ulps": ["9", "9.1"]})
-    '0.25 or at most 9.1 ulps from edge [0, 7]'
+    '0.25 (at most 9.1 ulps) from edge [0, 7]'
     """
     low, high = witness["distance"]
     shown = low if low == high else f"{low[:8]}...{low[len(low.partition('e')[0]) :]}"
     edge, corner = witness.get("polygon_edge"), witness.get("polygon_vertex")
     place = f"edge {edge}" if corner is None else f"the polygon's vertex {corner}"
-    return f"{shown} or at most {witness['ulps'][1]} ulps from {place}"
+    return f"{shown} (at most {witness['ulps'][1]} ulps) from {place}"
 
 
 class Findings:
