@@ -205,7 +205,9 @@ def distinct_shapes(frame: Frame, corners: Indices) -> tuple[Indices, Indices]:
     with np.errstate(over="ignore"):
         keys = (rows.view(np.uint64) * _MULTIPLIERS).sum(axis=1, dtype=np.uint64)
     _, first, shape = np.unique(keys, return_index=True, return_inverse=True)
-    other = np.flatnonzero((rows != rows[first[shape]]).any(axis=1))  # the same key by chance
+    # The same key by chance, or beyond all doubles, where nothing is exact.
+    alike = (rows == rows[first[shape]]) & np.isfinite(rows)
+    other = np.flatnonzero(~alike.all(axis=1))
     shape[other] = len(first) + np.arange(len(other))
     first = np.concatenate((first, other))
     order = np.argsort(first)

@@ -50,7 +50,7 @@ def forms(case: Case) -> Iterator[tuple[str, ArrayMesh]]:
     yield "exact", ArrayMesh.of_mesh(case.mesh())
     yield "text", read_array_mesh({**case.document(), "polygon": None})[0]
     flat = [c for p in case.vertices for c in p]
-    if all(abs(c) < 2**1000 and Fraction(float(c)) == c for c in flat):
+    if all(abs(c) < 2**1023 and Fraction(float(c)) == c for c in flat):
         doubles = np.array([float(c) for c in flat]).reshape(-1, 2)
         yield "doubles", ArrayMesh(DoublePoints(doubles), index_array(case.triangles))
 

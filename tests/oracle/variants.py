@@ -84,7 +84,7 @@ def equilateral_grid(rng: random.Random) -> Case:
     return as_doubles(case) if rng.random() < 0.5 else case
 
 
-FACTORS = [Fraction(10) ** k for k in (-320, -200, -32, -9, 9, 29, 31, 200, 400)]
+FACTORS = [Fraction(10) ** k for k in (-320, -200, -32, -9, 9, 29, 31, 200, 307, 400)]
 
 SOURCES: list[Callable[[random.Random], Case]] = [good, good, garbage, rotated_grid]
 SOURCES += [equilateral_grid]
