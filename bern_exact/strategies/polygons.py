@@ -34,6 +34,8 @@ SPANS = (3, 10, 100, 10_000)
 NEARLY = (1, 10, 1_000, 10**6)
 """Points are scaled by one of these and shaken by 1: what met nearly meets."""
 
+SHAKES = (0, 1, -1)
+
 SPLITS = (4, 6, 12, 1_000)
 """Holes lie on the points that divide the edges of a triangle into so many parts."""
 
@@ -276,9 +278,9 @@ def _rings_of_weights(draw: st.DrawFn, parts: int, most: int, allow_flat: bool) 
         return (u + 1, v + 1) if u + v <= room else (room - u + 1, room - v + 1)
 
     number = st.integers(0, room)
-    pairs = draw(st.lists(st.tuples(number, number), min_size=3, max_size=most, unique_by=folded))
+    pairs = draw(st.lists(st.tuples(number, number), max_size=most, unique_by=folded))
     points = [folded(pair) for pair in pairs]
-    if are_on_a_line(points):
+    if len(points) < 3 or are_on_a_line(points):
         points = [(1, 1), (room + 1, 1), (1, room + 1)]
     ring = untangled(points)
     return ring if allow_flat else without_flat(ring)
@@ -325,8 +327,12 @@ def _shaken(draw: st.DrawFn, points: list[Place], span: int, bound: int) -> list
     scale = draw(st.sampled_from([k for k in NEARLY if k * (span + 1) <= bound or k == 1]))
     if scale == 1:
         return points
-    shake = st.integers(-1, 1)
-    return [(scale * x + draw(shake), scale * y + draw(shake)) for x, y in points]
+    # One number for all: its digits to the base of 9 say where each goes, 0 that it stays.
+    digits, shaken = draw(st.integers(0, 9 ** len(points) - 1)), []
+    for x, y in points:
+        digits, digit = divmod(digits, 9)
+        shaken.append((scale * x + SHAKES[digit % 3], scale * y + SHAKES[digit // 3]))
+    return shaken
 
 
 @st.composite
