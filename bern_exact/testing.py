@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from bern_exact.exact.numbers import parse_rational
 from bern_exact.formats.mesh_json import dumps_mesh
 from bern_exact.formats.polygon_json import dump_polygon
 from bern_exact.oracle.api import verdict_on
@@ -25,6 +26,9 @@ from bern_exact.report import verdict_lines
 from bern_exact.view.defects import draw_verdict
 
 __all__ = ["ExactJudge", "assert_nonobtuse", "assert_triangulation"]
+
+SLIGHTLY = 1_000
+"""A vertex is slightly off if by less than this part of the feature size."""
 
 LONGEST = 400
 """Characters of a line of a message."""
@@ -173,10 +177,12 @@ class Judged:
 def _telling_first(verdict: Verdict) -> list[Defect]:
     """The defects; those come last that are mere consequences.
 
-    Round a gap or an overlap inside, vertices are "boundary vertices" that lie on no edge of the
-    polygon.  It is different where the boundary can be followed along the polygon.
+    Round a gap or an overlap, vertices inside are boundary vertices off the polygon's edges.  That
+    is the news only where they are off by far less than the polygon has details.
     """
-    if verdict.off_edge is not None:
+    off, size = verdict.off_edge, verdict.feature_size_squared
+    far = None if off is None else parse_rational(off["distance_squared"])
+    if far is not None and size is not None and far * SLIGHTLY**2 < size:
         return list(verdict.defects)
     return sorted(verdict.defects, key=lambda each: each.kind == "boundary-vertex-off-edge")
 
