@@ -59,6 +59,7 @@ class Damage:
         One sentence.
     kind : str or None
         The defect that every judge must report, a key of `DEFECTS`; None if the mesh stays valid.
+        Whoever lists a hundred defects has it among them, unless a hole has more vertices.
     besides : frozenset of str
         The other kinds that a judge may report as well.
     needs_polygon : bool
