@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -15,6 +16,7 @@ from hypothesis.errors import InvalidArgument
 
 from bern_exact import Mesh, Polygon, verify
 from bern_exact.exact.predicates import orientation
+from bern_exact.oracle.arguments import mesh_of, polygon_of
 from bern_exact.plane.validation import polygon_from_rings
 from bern_exact.strategies import (
     convex_polygons,
@@ -325,6 +327,27 @@ def test_untangled_rings_are_simple_and_stay_as_they_are(points: list[tuple[int,
     assert set(ring) <= set(points)
     assert is_valid([exact_ring(ring)])
     assert untangled(ring) == ring
+
+
+# A failure can be read and tried again ---------------------------------------------------------
+
+
+def test_a_falsifying_example_is_text_that_gives_it_again() -> None:
+    split = triangulations(polygons=convex_polygons(max_vertices=4), max_steps=2)
+
+    @settings(max_examples=50, database=None, phases=(Phase.generate, Phase.shrink))
+    @given(split)
+    def check(pair: tuple[Polygon, Mesh]) -> None:
+        seen.append(pair)
+        assert len(pair[1].vertices) == pair[0].n
+
+    seen: list[tuple[Polygon, Mesh]] = []
+    with pytest.raises(AssertionError) as caught:
+        check()
+    shown = "".join(caught.value.__notes__)
+    (text,) = re.findall(r"pair=(\(.*\)),", shown, re.DOTALL)
+    assert "mpz" not in text
+    assert eval(text, {"polygon_of": polygon_of, "mesh_of": mesh_of}) == seen[-1]
 
 
 # Hypothesis knows the types -------------------------------------------------------------------
