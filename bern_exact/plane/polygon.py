@@ -6,11 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
+from typing import Any
 
 from gmpy2 import mpq
 
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.points import HPoint, Line, coordinates, line_through
+from bern_exact.exact.points import HPoint, Line, line_through, literal
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,11 @@ class Polygon:
         if numbers not in ("decimal", "binary64"):
             raise InputError("unsupported", f"numbers {numbers!r}: decimal or binary64")
         return read_polygon_file(path, binary64=numbers == "binary64", format=format)
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """How IPython and Hypothesis show it: rings as `verify` and `triangulate` take them."""
+        rings = [[literal(p) for p in self.input_ring(r)] for r in range(len(self.rings))]
+        printer.text(f"polygon_of({rings})")
 
     @property
     def n(self) -> int:

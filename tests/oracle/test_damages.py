@@ -220,7 +220,7 @@ def test_a_damage_damages_and_leaves_the_mesh_given_as_it_was(way: str) -> None:
 
 def test_what_is_written_says_all() -> None:
     """From the files alone the lone judge finds what they say."""
-    for damaged in damages_of("corpus-plate/refined", bare=False):
+    for damaged in damages_of("triangle/refined", bare=False):
         told = json.loads(json.dumps(damaged.to_json()))
         assert told["result"] == ("valid" if told["kind"] is None else "invalid")
         document = json.loads(json.dumps(mesh_document(damaged.mesh, damaged.polygon)))

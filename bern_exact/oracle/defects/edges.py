@@ -14,6 +14,9 @@ from bern_exact.plane.mesh import Mesh
 
 HALF = mpq(1, 2)
 
+PIECE = 8
+"""How many triangles are moved together: few, so that all defects can be listed."""
+
 # What may follow from triangles that lie the wrong way round: they are counted as turned over.
 TANGLED = (
     "degenerate-triangle",
@@ -207,13 +210,13 @@ SHIFTED = ("polygon-vertex-missing", "hanging-vertex", "crossing-edges", "overla
 
 @a_damage("region-not-covered", besides=SHIFTED)
 def piece_moved_away(sound: Sound) -> Change | None:
-    """About half of the triangles are moved by next to nothing away from the others."""
+    """A few triangles side by side are moved by next to nothing away from the others."""
     return _piece_moved(sound, TINY)
 
 
 @a_damage("overlap", besides=SHIFTED)
 def piece_moved_over(sound: Sound) -> Change | None:
-    """About half of the triangles are moved by next to nothing over the others."""
+    """A few triangles side by side are moved by next to nothing over the others."""
     return _piece_moved(sound, -TINY)
 
 
@@ -245,12 +248,13 @@ def _piece_moved(sound: Sound, far: mpq) -> Change | None:
 
 
 def _piece(sound: Sound) -> dict[int, None]:
-    """About half of the triangles, connected by edges, in the order of a walk."""
+    """A few triangles, at most half of all, connected by edges, in the order of a walk."""
+    most = min(PIECE, len(sound.triangles) // 2)
     piece = {sound.random.randrange(len(sound.triangles)): None}
     for t in (waiting := list(piece)):
         for a, b in _edges(sound.triangles[t]):
             s = sound.owner.get((b, a), t)
-            if s not in piece and 2 * len(piece) < len(sound.triangles):
+            if s not in piece and len(piece) < most:
                 piece[s] = None
                 waiting.append(s)
     return piece

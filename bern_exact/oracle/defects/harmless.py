@@ -69,10 +69,9 @@ def triangle_split(sound: Sound) -> Change | None:
 def edge_flipped(sound: Sound) -> Change | None:
     """An edge is exchanged for the other diagonal of a convex quadrilateral."""
     for a, b in sound.shuffled(sound.inner_edges):
-        c, d = sound.apex(a, b), sound.apex(b, a)
-        if sound.turn(a, d, c) > 0 and sound.turn(b, c, d) > 0:
-            replaced = {sound.owner[a, b]: (a, d, c), sound.owner[b, a]: (d, b, c)}
-            return Change(sound.mesh(replaced=replaced), sound.polygon)
+        flipped = sound.with_edge_flipped(a, b)
+        if flipped is not None:
+            return Change(flipped, sound.polygon)
     return None
 
 

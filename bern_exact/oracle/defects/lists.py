@@ -74,10 +74,10 @@ def mesh_copied(sound: Sound) -> Change | None:
     return Change(mesh, sound.polygon, {"vertex": n})
 
 
-@a_damage("region-not-covered", besides=["polygon-vertex-missing"], needs_polygon=False)
+@a_damage("region-not-covered", needs_polygon=False)
 def mesh_emptied(sound: Sound) -> Change | None:
-    """Nothing is left of the mesh."""
-    return Change(Mesh((), ()), sound.polygon)
+    """Nothing is left of the mesh, judged without a polygon."""
+    return Change(Mesh((), ()), None)
 
 
 @a_damage("index-out-of-range", besides=["region-not-covered", BARED])

@@ -10,6 +10,7 @@ from gmpy2 import mpq
 
 from bern_exact.exact.points import HPoint
 from bern_exact.oracle.defects.sound import Sound
+from bern_exact.oracle.places import points_of
 from bern_exact.oracle.verdict import point_json
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
@@ -58,6 +59,7 @@ class Damage:
         One sentence.
     kind : str or None
         The defect that every judge must report, a key of `DEFECTS`; None if the mesh stays valid.
+        Whoever lists a hundred defects has it among them, unless a hole has more vertices.
     besides : frozenset of str
         The other kinds that a judge may report as well.
     needs_polygon : bool
@@ -131,20 +133,7 @@ class Damaged:
     @property
     def points(self) -> list[HPoint]:
         """Where the place lies: a triangle's corners as far as they exist, an edge's ends, ..."""
-        vertices, triangles = self.mesh.vertices, self.mesh.triangles
-        match self.where:
-            case {"triangle": t}:
-                return [vertices[v] for v in triangles[t] if 0 <= v < len(vertices)]
-            case {"vertex": v}:
-                return [vertices[v]]
-            case {"edge": [a, b]}:
-                return [vertices[a], vertices[b]]
-            case {"polygon_vertex": [r, i]} if self.polygon is not None:
-                return [self.polygon.input_ring(r)[i]]
-            case {"polygon_edge": [r, i]} if self.polygon is not None:
-                ring = self.polygon.input_ring(r)
-                return [ring[i], ring[(i + 1) % len(ring)]]
-        return []
+        return points_of(self.where, self.mesh, self.polygon)
 
     def to_json(self) -> dict[str, Any]:
         """All but the mesh and the polygon, JSON-ready."""

@@ -30,14 +30,14 @@ class Sound:
         A triangulation of the polygon, or without one of what its boundary encloses.
     polygon : Polygon or None
         The polygon.
-    random : Random
+    random : Random, optional
         Decides between equals.  Integers alone are drawn from it.
     """
 
-    def __init__(self, mesh: Mesh, polygon: Polygon | None, random: Random) -> None:
+    def __init__(self, mesh: Mesh, polygon: Polygon | None, random: Random | None = None) -> None:
         self.vertices, self.triangles = mesh.vertices, mesh.triangles
         self.polygon = polygon
-        self.random = random
+        self.random = random or Random(0)
         self.owner: dict[Edge, int] = {}
         self.at: list[list[int]] = [[] for _ in mesh.vertices]
         for t, (a, b, c) in enumerate(mesh.triangles):
@@ -144,14 +144,25 @@ class Sound:
         point = along(self.vertices[a], self.vertices[b], t)
         return self.other(self.mesh(added=[point], replaced=replaced, more=more))
 
-    def with_triangle_split(self, t: int) -> Sound:
+    def with_triangle_split(self, t: int, weights: tuple[int, int, int] = (3, 4, 5)) -> Sound:
         """A new vertex inside a triangle, joined to its corners; it is the last vertex."""
         a, b, c = self.triangles[t]
         new = len(self.vertices)
         mesh = self.mesh(
-            added=[self.inside(t)], replaced={t: (a, b, new)}, more=[(b, c, new), (c, a, new)]
+            added=[self.inside(t, weights)],
+            replaced={t: (a, b, new)},
+            more=[(b, c, new), (c, a, new)],
         )
         return self.other(mesh)
+
+    def with_edge_flipped(self, a: int, b: int) -> Mesh | None:
+        """Edge ab exchanged for the other diagonal, if its quadrilateral is strictly convex."""
+        if (a, b) not in self.owner or (b, a) not in self.owner:
+            return None
+        c, d = self.apex(a, b), self.apex(b, a)
+        if self.turn(a, d, c) <= 0 or self.turn(b, c, d) <= 0:
+            return None
+        return self.mesh(replaced={self.owner[a, b]: (a, d, c), self.owner[b, a]: (d, b, c)})
 
     def with_inner_vertex(self) -> Sound:
         """This mesh if it has a vertex inside, or else one with a triangle split."""
