@@ -188,7 +188,7 @@ FAMILIES = (
         "spiral-pocket",
         "the same wound up: a slit in a spiral, so that the outer ring looks like nested holes",
         ("reflex",),
-        {"windings": (1, 1), "digits": (1, 9)},
+        {"windings": (1, 2), "digits": (1, 9)},
         by_name(spiral_pocket),
     ),
     Family(
