@@ -229,7 +229,7 @@ FAMILIES = (
     Family(
         "subdivided",
         "180-degree vertices: dropped, merged or taken for reflex ones; some very near to a corner",
-        (),
+        ("flat-vertices",),
         {"n": (4, 9), "holes": (0, 2)},
         by_name(subdivided),
     ),
