@@ -6,10 +6,9 @@ from random import Random
 
 from gmpy2 import mpq
 
-from bern_exact.corpus.draws import Number, Place, Ring, Rings, between, moved, pick
+from bern_exact.corpus.draws import Number, Place, Ring, Rings, beside, between, moved, pick
 from bern_exact.corpus.extreme import between_doubles
 from bern_exact.corpus.family import Draw, Family, by_name
-from bern_exact.corpus.near_misses import beside
 from bern_exact.corpus.random_polygons import with_holes
 from bern_exact.exact.numbers import nearest_binary64
 
@@ -67,13 +66,8 @@ def edges_cross(random: Random, n: int) -> Rings:
         i, j = random.randrange(len(ring)), random.randrange(len(ring))
         ring[i], ring[j] = ring[j], ring[i]
         return rings
-    (px, py), (qx, qy) = ring[0], ring[1]
-    middle = ((px + qx) * mpq(1, 2), (py + qy) * mpq(1, 2))
-    return [
-        ring,
-        [beside(middle, ring[1], mpq(1, 4), side * mpq(1, 8)) for side in (-1, 1)]
-        + [beside(ring[0], ring[1], mpq(1, 3), mpq(1, 99))],
-    ]
+    corners = ((mpq(5, 8), mpq(-1, 16)), (mpq(5, 8), mpq(1, 16)), (mpq(1, 3), mpq(1, 99)))
+    return [ring, [beside(ring[0], ring[1], along, aside) for along, aside in corners]]
 
 
 def edges_touch(random: Random, n: int) -> Rings:
@@ -113,10 +107,15 @@ def spike(random: Random, n: int) -> Rings:
 
 
 def hole_outside(random: Random, n: int) -> Rings:
-    """A hole beside the outer ring, around it or in one of its bays."""
+    """A hole beside the outer ring, around it, or close to one of its edges."""
     (ring, *_) = plain(random, n)
     far = beyond([ring])
-    if random.randrange(2):
+    way = random.randrange(3)
+    if way == 0:
+        side = pick(random, (-1, 1)) * mpq(1, between(random, 9, 99))
+        corners = ((mpq(2, 5), side), (mpq(3, 5), side), (mpq(1, 2), 2 * side))
+        return [ring, [beside(ring[0], ring[1], along, aside) for along, aside in corners]]
+    if way == 1:
         x, y = far, between(random, -9, 9)
         return [ring, [(x, y), (x + between(random, 1, 9), y), (x, y + 1)]]
     return [ring, [(-far, -far), (9 * far, -far), (-far, 9 * far)]]
@@ -199,7 +198,7 @@ FAMILIES = (
     ),
     _bad(
         "hole-outside",
-        "holes that are taken at their word: one beside the outer ring, or around it",
+        "holes that are taken at their word: one beside the outer ring, close to it, or around it",
         by_name(hole_outside),
     ),
     _bad(

@@ -11,7 +11,7 @@ from random import Random
 
 from gmpy2 import mpq, mpz, sign
 
-from bern_exact.corpus.draws import distinct, pick, shuffle
+from bern_exact.corpus.draws import beside, distinct, pick, shuffle
 from bern_exact.corpus.shapes import SIZE
 
 Rational = int | mpq
@@ -120,7 +120,7 @@ def clustered_spiral(n: int, seed: int = 0) -> Rings:
     k = n - 4
     for i in range(1, k + 1):
         bend = mpq(i * (2 * k + 2 - i), 10**6 * (k + 1) ** 2)
-        found.append(_beside(top, right, mpq(i, 100 * (k + 1)), bend))
+        found.append(beside(top, right, mpq(i, 100 * (k + 1)), bend))
     return [hull(found)]
 
 
@@ -143,15 +143,8 @@ def occupied_spiral(n: int, seed: int = 0) -> Rings:
     found: list[Place] = [*ends.values(), *tops.values()]
     for side, part in placed:
         t = part * mpq(19, 20)
-        found.append(_beside(ends[side], tops[side], t, -t * (1 - t) / 10**7))
+        found.append(beside(ends[side], tops[side], t, -t * (1 - t) / 10**7))
     return [hull([(int(10**18 * x), int(10**18 * y)) for x, y in found])]
-
-
-def _beside(start: Place, end: Place, along: mpq, aside: mpq) -> Place:
-    """The point at a part of the way, moved to the left by a part of the edge's length."""
-    (px, py), (qx, qy) = start, end
-    dx, dy = qx - px, qy - py
-    return px + along * dx - aside * dy, py + along * dy + aside * dx
 
 
 def needle(n: int, seed: int = 0, aspect: int = 10**6) -> Rings:

@@ -25,21 +25,21 @@ _TWELVE = {"n": (5, 12)}
 FAMILIES = (
     Family(
         "random-hull",
-        "edges of very different lengths in no order",
+        "lengths taken for alike: the hull of random points, with very long and very short edges",
         ("convex",),
         _TWELVE,
         by_seed(convex.random_hull),
     ),
     Family(
         "random-convex",
-        "the same without a circle behind it: random vectors in the order of their angles",
+        "what holds near circles only: random vectors in the order of their angles",
         ("convex",),
         _TWELVE,
         by_seed(convex.random_convex),
     ),
     Family(
         "small-hull",
-        "parallel edges and ties for the diameter: the hull of a few points of a small grid",
+        "the choice of a diameter among ties: the hull of a few points of a small grid",
         ("convex",),
         {"size": (3, 8)},
         by_name(small_hull),
@@ -60,14 +60,14 @@ FAMILIES = (
     ),
     Family(
         "arc",
-        "the same on a circle: points of at most half of it",
+        "a longest diagonal that is an edge, and in-circle tests: points of at most half a circle",
         ("convex", "cocircular"),
         _TWELVE,
         by_seed(convex.arc, 1000),
     ),
     Family(
         "ellipse",
-        "a shape a thousand times as long as wide, its vertices crowded at both ends",
+        "round frames: a thousand times as long as wide, the vertices crowded at both ends",
         ("convex", "slender"),
         _TWELVE,
         by_seed(convex.ellipse, 1001),
@@ -95,7 +95,7 @@ FAMILIES = (
     ),
     Family(
         "convex-needle",
-        "a convex polygon a million times as long as wide",
+        "frames without height: a convex polygon a million times as long as wide",
         ("convex", "slender", "needle"),
         {"n": (6, 12)},
         by_seed(convex.needle),

@@ -94,6 +94,17 @@ def moved(rings: Rings, move: Callable[[Number, Number], Place]) -> list[Ring]:
     return [[move(x, y) for x, y in ring] for ring in rings]
 
 
+def beside(start: Place, end: Place, along: Number, aside: Number) -> Place:
+    """The point at a part of the way, moved to the left by a part of the edge's length.
+
+    >>> beside((0, 0), (4, 0), mpq(1, 4), mpq(1, 2))
+    (mpq(1,1), mpq(2,1))
+    """
+    (px, py), (qx, qy) = start, end
+    dx, dy = qx - px, qy - py
+    return px + along * dx - aside * dy, py + along * dy + aside * dx
+
+
 def reason_against(rings: Rings) -> str | None:
     """The kind of error for which the validation refuses the rings, None for a polygon."""
     try:

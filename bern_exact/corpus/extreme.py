@@ -120,7 +120,7 @@ FAMILIES = (
     ),
     Family(
         "beyond-doubles",
-        "the range of doubles: sizes of 10^310 and more, which overflow, or 10^-330, which vanish",
+        "the range of doubles: sizes of 10^330 and more, which overflow, or 10^-330, which vanish",
         ("beyond-doubles", "needs-rationals"),
         {"n": (4, 9), "holes": (0, 1), "digits": (330, 360), "down": (0, 1)},
         by_name(beyond_doubles),

@@ -7,17 +7,11 @@ from random import Random
 
 from gmpy2 import mpq
 
-from bern_exact.corpus.draws import Place, Ring, Rings, between, moved, nth
+from bern_exact.corpus.draws import Ring, Rings, beside, between, moved, nth
 from bern_exact.corpus.family import Family, without_random
 
 OUTER: Ring = [(0, 0), (20, 3), (24, 21), (-3, 19)]
 """A square, hardly turned: no edge is axis-parallel."""
-
-
-def beside(p: Place, q: Place, part: mpq, aside: mpq) -> Place:
-    """The point at a part of the way from p to q, moved to the left by a part of the length."""
-    dx, dy = q[0] - p[0], q[1] - p[1]
-    return p[0] + part * dx - aside * dy, p[1] + part * dy + aside * dx
 
 
 def _part(random: Random) -> mpq:

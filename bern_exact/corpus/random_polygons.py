@@ -165,7 +165,7 @@ def exponential_star(random: Random, n: int, digits: int) -> Rings:
 FAMILIES = (
     Family(
         "triangle",
-        "the smallest inputs: three acute or very obtuse corners, nothing to choose from",
+        "code that needs more than three vertices: acute or very obtuse triangles",
         (),
         {"digits": (1, 6)},
         by_name(triangle),
@@ -173,7 +173,7 @@ FAMILIES = (
     ),
     Family(
         "random",
-        "whatever holds for nice polygons only: edges of all directions, nothing special",
+        "whatever holds for nice polygons only: a random ring in general position",
         (),
         {"n": (4, 14), "digits": (3, 9)},
         by_name(random_ring),

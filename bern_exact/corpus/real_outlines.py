@@ -28,7 +28,7 @@ NAMES = (
 )
 """By size, from 11 to 160 vertices."""
 
-SMALL = 2
+SMALL = 3
 """So many of them are drawn unless others are asked for: a case should take a second."""
 
 

@@ -171,8 +171,8 @@ FAMILIES = (
     ),
     Family(
         "folded-slit",
-        "the same along walls: an exterior slit folded nearly shut, whose sides must not see "
-        "each other",
+        "distances measured across the exterior: the walls of a slit folded nearly shut must not "
+        "see each other",
         ("reflex",),
         {"digits": (1, 9)},
         by_name(folded_slit),
@@ -186,9 +186,9 @@ FAMILIES = (
     ),
     Family(
         "spiral-pocket",
-        "the same wound up: a slit in a spiral, so that the outer ring looks like nested holes",
+        "taking pockets for holes: a slit in a spiral makes the outer ring look like nested ones",
         ("reflex",),
-        {"windings": (1, 1), "digits": (1, 9)},
+        {"windings": (1, 2), "digits": (1, 9)},
         by_name(spiral_pocket),
     ),
     Family(

@@ -12,6 +12,7 @@ from bern_exact.corpus.draws import (
     Place,
     Ring,
     Rings,
+    beside,
     between,
     moved,
     nth,
@@ -92,15 +93,9 @@ def near_flat(random: Random, n: int, digits: int) -> Rings:
     def bent() -> Rings:
         (ring,) = random_ring(random, max(3, n // 2), 6)
         found: Ring = []
-        for (px, py), (qx, qy) in zip(ring, [*ring[1:], ring[0]], strict=True):
+        for p, q in zip(ring, [*ring[1:], ring[0]], strict=True):
             aside = sign(random) * mpq(between(random, 1, 9), size * 10**digits)
-            found += [
-                (px, py),
-                (
-                    (px + qx) * mpq(1, 2) - aside * (qy - py),
-                    (py + qy) * mpq(1, 2) + aside * (qx - px),
-                ),
-            ]
+            found += [p, beside(p, q, mpq(1, 2), aside)]
         return [found]
 
     return until(bent)
@@ -120,11 +115,10 @@ def subdivide(random: Random, rings: Rings) -> list[Ring]:
     found: list[Ring] = []
     for ring in rings:
         finer: Ring = []
-        for (px, py), (qx, qy) in zip(ring, [*ring[1:], ring[0]], strict=True):
-            finer.append((px, py))
+        for p, q in zip(ring, [*ring[1:], ring[0]], strict=True):
+            finer.append(p)
             if random.randrange(3) == 0:
-                t = mpq(1, pick(random, (2, 3, 7, 50)))
-                finer.append((px + t * (qx - px), py + t * (qy - py)))
+                finer.append(beside(p, q, mpq(1, pick(random, (2, 3, 7, 50))), 0))
         found.append(finer)
     return found
 
@@ -138,8 +132,8 @@ def flat_crowd(random: Random, n: int, digits: int) -> Rings:
         near = mpq(between(random, 1, 9), 10 ** between(random, 1, digits))
         parts[random.randrange(4)][pick(random, (near, 1 - near))] = None
     ring: Ring = []
-    for (px, py), (qx, qy), found in zip(corners, corners[1:] + corners[:1], parts, strict=True):
-        ring += [(px + t * (qx - px), py + t * (qy - py)) for t in (mpq(0), *sorted(found))]
+    for p, q, found in zip(corners, corners[1:] + corners[:1], parts, strict=True):
+        ring += [beside(p, q, t, 0) for t in (mpq(0), *sorted(found))]
     return [ring]
 
 
@@ -162,9 +156,8 @@ def koch(random: Random, bumps: int) -> Rings:
 
 def _tip(p: Place, q: Place, side: int) -> Ring:
     """The three points between p and q, the tip on the left for 1."""
-    (px, py), (dx, dy) = p, (q[0] - p[0], q[1] - p[1])
-    offsets = ((mpq(1, 3), mpq(0)), (mpq(1, 2), side * KOCH_HEIGHT), (mpq(2, 3), mpq(0)))
-    return [(px + t * dx - h * dy, py + t * dy + h * dx) for t, h in offsets]
+    heights = ((mpq(1, 3), mpq(0)), (mpq(1, 2), side * KOCH_HEIGHT), (mpq(2, 3), mpq(0)))
+    return [beside(p, q, along, aside) for along, aside in heights]
 
 
 def symmetric(random: Random, quarter: int) -> Rings:
@@ -236,7 +229,7 @@ FAMILIES = (
     Family(
         "subdivided",
         "180-degree vertices: dropped, merged or taken for reflex ones; some very near to a corner",
-        (),
+        ("flat-vertices",),
         {"n": (4, 9), "holes": (0, 2)},
         by_name(subdivided),
     ),
@@ -251,7 +244,7 @@ FAMILIES = (
         "koch",
         "self-similar outlines: 60-degree tips on tips, inward and outward, collinear feet",
         ("collinear",),
-        {"bumps": (2, 5)},
+        {"bumps": (2, 6)},
         by_name(koch),
     ),
     Family(
