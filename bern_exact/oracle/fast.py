@@ -13,7 +13,8 @@ from gmpy2 import mpq, mpz, sign
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.points import HPoint
 from bern_exact.oracle.shapes import Bounds, Extremes, Shape, angle_class, shape_of
-from bern_exact.oracle.sides import Side, look_at_sides
+from bern_exact.oracle.side_sweep import Side
+from bern_exact.oracle.sides import look_at_sides
 from bern_exact.oracle.verdict import ANGLE_CLASSES, Findings, Verdict, point_json
 from bern_exact.plane.mesh import Mesh, Triangle
 from bern_exact.plane.polygon import Polygon

@@ -12,7 +12,7 @@ from bern_exact.oracle.estimates import Frame
 from bern_exact.oracle.fast import name_bad_corners, name_bad_vertex
 from bern_exact.oracle.filters import Signs
 from bern_exact.oracle.lazy_points import LazyPoints
-from bern_exact.oracle.sides import Side
+from bern_exact.oracle.side_sweep import Side
 from bern_exact.oracle.verdict import Findings
 from bern_exact.plane.array_mesh import ArrayMesh, Flags, Indices
 

@@ -22,11 +22,9 @@ from bern_exact.exact.points import (
     reduced,
 )
 from bern_exact.exact.predicates import cross, dot, orientation
+from bern_exact.oracle.side_sweep import Side, enclose_once
 from bern_exact.oracle.verdict import Findings, point_json
 from bern_exact.plane.polygon import Polygon
-
-Side = tuple[int, int, int]
-"""Tail, head, and how much more often the edge is used than its reverse."""
 
 Place = dict[str, Any]
 """A place as a defect has it, such as `{"edge": [3, 5]}`."""
@@ -142,6 +140,8 @@ def _name_what_is_wrong(
     found: Findings,
 ) -> None:
     """Defects where sides are not the polygon's boundary (without a polygon: if they are amiss)."""
+    if polygon is None and enclose_once(vertices, sides):
+        return
     clashes = conflicts(vertices, sides)
     for kind, i, j in clashes:
         edge = list(sides[i][:2])

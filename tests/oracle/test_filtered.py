@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from bern_exact.exact.angle_bound import parse_angle_bound
 from bern_exact.exact.points import hpoint
-from bern_exact.oracle import estimates, filters
+from bern_exact.oracle import api, estimates, filters
 from bern_exact.oracle.estimates import distinct_shapes, estimate, frame_of
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.oracle.filtered import Effort, verify_arrays
@@ -24,7 +24,7 @@ from bern_exact.plane.array_mesh import ArrayMesh, DoublePoints, ExactPoints
 from bern_exact.plane.text_points import points_of_numbers
 from tests.oracle import campaign
 from tests.oracle.agreement import all_forms, forms
-from tests.oracle.meshes import Case, grid, point
+from tests.oracle.meshes import Case, damage, good, grid, point
 from tests.oracle.variants import as_doubles, equilateral_grid, rotated_grid, scaled
 
 
@@ -164,6 +164,22 @@ def test_the_first_of_equal_triangles_is_named_in_every_order() -> None:
         rng.shuffle(case.triangles)
         verdict = all_forms(case)
         assert verdict is not None and verdict["max_angle"]["triangle"] == 0
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_verify_says_the_same_whichever_judge_it_asks(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = random.Random(seed)
+    case = as_doubles(good(rng))
+    if seed % 2:
+        damage(case, rng)
+    polygon, told = case.polygon(), []
+    for many in (0, 10**9):
+        monkeypatch.setattr(api, "MANY", many)
+        for mesh in (case.mesh(), ArrayMesh.of_mesh(case.mesh())):
+            told.append(api.verdict_on(mesh, polygon, tolerance=mpq(1, 10**9)).to_json())
+    assert told == [told[0]] * 4
 
 
 def hard_triangles(seed: int, kind: str) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
