@@ -30,7 +30,7 @@ from tests.theorems.families import is_valid
 from tests.theorems.families import ring as exact_ring
 
 T = TypeVar("T")
-few = settings(max_examples=12, database=None)
+few = settings(max_examples=8, database=None)
 
 POLYGONS: dict[str, Callable[..., st.SearchStrategy[Polygon]]] = {
     "simple": simple_polygons,
@@ -89,7 +89,7 @@ def test_options_hold(kind: str) -> None:
         }
     )
 
-    @settings(max_examples=15, database=None)
+    @settings(max_examples=10, database=None)
     @given(st.data(), options)
     def check(data: st.DataObject, options: dict[str, Any]) -> None:
         polygon = data.draw(POLYGONS[kind](**options))
@@ -136,7 +136,7 @@ def test_exactly_so_many_vertices(count: int) -> None:
     check()
 
 
-@settings(max_examples=20, database=None)
+@settings(max_examples=12, database=None)
 @given(triangulations())
 def test_triangulations_are_valid(pair: tuple[Polygon, Mesh]) -> None:
     polygon, mesh = pair
@@ -146,7 +146,7 @@ def test_triangulations_are_valid(pair: tuple[Polygon, Mesh]) -> None:
 
 @pytest.mark.parametrize("theorem, angle", [(1, 180), (2, 150), (3, 150), (4, 90)])
 def test_triangulations_by_a_theorem(theorem: int, angle: int) -> None:
-    @settings(max_examples=4, database=None)
+    @settings(max_examples=2, database=None)
     @given(triangulations(theorem=theorem))
     def check(pair: tuple[Polygon, Mesh]) -> None:
         polygon, mesh = pair
@@ -322,7 +322,7 @@ def test_options_go_by_name(strategy: Callable[..., object]) -> None:
 @given(
     st.lists(st.tuples(st.integers(0, 4), st.integers(0, 4)), min_size=3, max_size=12, unique=True)
 )
-@settings(max_examples=80, database=None)
+@settings(max_examples=50, database=None)
 def test_untangled_rings_are_simple_and_stay_as_they_are(points: list[tuple[int, int]]) -> None:
     (x, y), (u, v) = points[:2]
     if all((u - x) * (b - y) == (v - y) * (a - x) for a, b in points):
