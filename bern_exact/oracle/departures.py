@@ -83,10 +83,25 @@ Point = Callable[[int], HPoint]
 """The point of a vertex of the mesh."""
 
 
-def departures(
-    rings: Sequence[Sequence[int]], point: Point, polygon: Polygon
-) -> list[Departure] | None:
-    """The boundary vertices that are not where they belong.
+@dataclass(frozen=True)
+class Followed:
+    """A mesh's boundary, followed along the polygon.
+
+    Parameters
+    ----------
+    departures : tuple of Departure
+        The boundary vertices that are not where they belong, by vertex.
+    gaps : frozenset of int
+        The vertices of rings that pass no vertex of the polygon: gaps and overlaps within the mesh,
+        not its outline.
+    """
+
+    departures: tuple[Departure, ...]
+    gaps: frozenset[int]
+
+
+def followed(rings: Sequence[Sequence[int]], point: Point, polygon: Polygon) -> Followed | None:
+    """The boundary of a mesh along the polygon that it should triangulate.
 
     Parameters
     ----------
@@ -99,10 +114,10 @@ def departures(
 
     Returns
     -------
-    list of Departure, or None
-        By vertex.  None if the boundary does not pass every vertex of the polygon (or the boundary
-        vertex nearest to it), once each, ring by ring and in order: then it is not known which edge
-        a vertex belongs to.
+    Followed or None
+        None if the boundary does not pass every vertex of the polygon (or the boundary vertex
+        nearest to it), once each, ring by ring and in order: then it is not known which edge a
+        vertex belongs to.
 
     Notes
     -----
@@ -113,10 +128,14 @@ def departures(
     if stands_for is None:
         return None
     found: list[Departure] = []
+    gaps = set[int]()
     visited = 0
     for ring in rings:
         stops = [stands_for[v] for v in ring if v in stands_for]
         visited += len(stops)
+        if not stops:
+            gaps.update(ring)
+            continue
         if not _is_a_ring(stops, polygon):
             return None
         edge = stops[-1]
@@ -125,7 +144,8 @@ def departures(
             found.append(_departure(v, point(v), polygon, edge, is_stop=v in stands_for))
     if visited != polygon.n:
         return None
-    return sorted((each for each in found if each.squared != 0), key=lambda each: each.vertex)
+    off = sorted((each for each in found if each.squared != 0), key=lambda each: each.vertex)
+    return Followed(tuple(off), frozenset(gaps))
 
 
 def _matched(boundary: Mapping[int, HPoint], polygon: Polygon) -> dict[int, int] | None:
@@ -176,7 +196,7 @@ class Near:
 
 def _is_a_ring(visited: Sequence[int], polygon: Polygon) -> bool:
     """Are these the vertices of one of the polygon's rings, each once and in order?"""
-    if not visited or len(visited) != len(polygon.rings[polygon.ring_of[visited[0]]]):
+    if len(visited) != len(polygon.rings[polygon.ring_of[visited[0]]]):
         return False
     after = [*visited[1:], visited[0]]
     return all(polygon.after[v] == w for v, w in zip(visited, after, strict=True))

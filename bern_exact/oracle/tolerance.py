@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from gmpy2 import mpq
@@ -11,9 +11,10 @@ from bern_exact.exact.points import HPoint
 from bern_exact.oracle.boundary_rings import boundary_rings
 from bern_exact.oracle.departures import (
     Departure,
+    Followed,
     Point,
     beyond,
-    departures,
+    followed,
     furthest,
     nearest_edge,
 )
@@ -52,37 +53,47 @@ def with_departures(
     limit : int
         How many defects are listed.
     """
-    found, point = None, _points_of(mesh)
-    rings = boundary_rings(*_indices_of(mesh))
-    if rings is not None:
-        found = departures(rings, point, polygon)
-    if found:
-        verdict = replace(verdict, off_edge=furthest(found))
-    if tolerance is not None and found is not None:
-        alone = judge(None)
-        within = alone.valid and next(beyond(found, tolerance), None) is None
-        listed = (*(_defect(each, polygon) for each in found[:limit]), *alone.defects)
-        return replace(verdict, defects=listed[:limit], within_tolerance=within)
-    defects = tuple(_explained(verdict.defects, found or (), point, polygon))
-    return replace(verdict, defects=defects, within_tolerance=None if tolerance is None else False)
+    point, rings = _points_of(mesh), boundary_rings(*_indices_of(mesh))
+    along = None if rings is None else followed(rings, point, polygon)
+    if along is not None and along.departures:
+        verdict = replace(verdict, off_edge=furthest(along.departures))
+    if tolerance is None or along is None or along.gaps:
+        within = None if tolerance is None else False
+        explained = tuple(_explained(verdict.defects, along or UNKNOWN, point, polygon))
+        # Where the limit cut off all but corners of gaps, these are better than nothing.
+        return replace(verdict, defects=explained or verdict.defects, within_tolerance=within)
+    alone = judge(None)
+    allowed = next(beyond(along.departures, tolerance), None) is None
+    listed = (*(_defect(each, polygon) for each in along.departures[:limit]), *alone.defects)
+    return replace(verdict, defects=listed[:limit], within_tolerance=alone.valid and allowed)
+
+
+UNKNOWN = Followed((), frozenset())
+"""Of a boundary that cannot be followed nothing is known."""
 
 
 def _explained(
-    defects: Sequence[Defect], found: Sequence[Departure], point: Point, polygon: Polygon
-) -> list[Defect]:
-    """The defects, with the distance of what is not where it belongs, where that is known."""
-    by_vertex = {each.vertex: each for each in found}
-    by_place = {tuple(each.where["polygon_vertex"]): each for each in found if each.is_vertex}
-    explained = []
+    defects: Sequence[Defect], along: Followed, point: Point, polygon: Polygon
+) -> Iterator[Defect]:
+    """The defects, with the distance of what is not where it belongs, where that is known.
+
+    The corners of gaps and overlaps within the mesh are off all edges, and should be: these gaps
+    and overlaps are listed, their corners are not.
+    """
+    by_vertex = {each.vertex: each for each in along.departures}
+    by_place = {
+        tuple(each.where["polygon_vertex"]): each for each in along.departures if each.is_vertex
+    }
     for defect in defects:
         if defect.kind == "boundary-vertex-off-edge":
             v = defect.where["vertex"]
-            defect = _off_edge(by_vertex.get(v) or nearest_edge(v, point(v), polygon))
+            if v not in along.gaps:
+                yield _off_edge(by_vertex.get(v) or nearest_edge(v, point(v), polygon))
         elif defect.kind == "polygon-vertex-missing":
             departure = by_place.get(tuple(defect.where["polygon_vertex"]))
-            defect = defect if departure is None else _missing(departure, polygon)
-        explained.append(defect)
-    return explained
+            yield defect if departure is None else _missing(departure, polygon)
+        else:
+            yield defect
 
 
 def _defect(departure: Departure, polygon: Polygon) -> Defect:

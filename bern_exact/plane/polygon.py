@@ -11,8 +11,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from bern_exact.exact.errors import InputError
-from bern_exact.exact.points import HPoint, Line, coordinates, line_through
-from bern_exact.exact.points import HPoint, Line, line_through, literal
+from bern_exact.exact.points import HPoint, Line, coordinates, line_through, literal
 
 
 @dataclass(frozen=True)

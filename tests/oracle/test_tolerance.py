@@ -169,6 +169,17 @@ def test_a_missing_triangle_is_not_accepted() -> None:
     assert verdict.within_tolerance is False
 
 
+def test_a_gap_inside_is_no_vertex_off_its_edge() -> None:
+    inner = [(1, 1), (3, 1), (3, 3), (1, 3), (2, 2)]
+    fan = [(4, 5, 8), (5, 6, 8), (6, 7, 8), (7, 4, 8)]
+    frame = [(0, 1, 4), (1, 5, 4), (1, 2, 5), (2, 6, 5), (2, 3, 6), (3, 7, 6), (3, 0, 7), (0, 4, 7)]
+    assert verify([*SQUARE, *inner], frame + fan, SQUARE)
+    for tolerance in (None, 1):
+        verdict = verify([*SQUARE, *inner], frame + fan[1:], SQUARE, tolerance=tolerance)
+        assert not verdict and {defect.kind for defect in verdict.defects} == {"region-not-covered"}
+    assert len(verify([*SQUARE, *inner], frame + fan[1:], SQUARE, limit=1).defects) == 1
+
+
 def test_where_no_edge_is_known_the_nearest_is_told() -> None:
     verdict = verify([*SQUARE, (2, -1), (2, 2)], [(5, 0, 4), (5, 4, 1)], SQUARE)
     off = [d for d in verdict.defects if d.kind == "boundary-vertex-off-edge"]
