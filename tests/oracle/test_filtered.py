@@ -48,7 +48,7 @@ def same(mesh: ArrayMesh, **bounds: Any) -> Effort:
     return effort
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_the_three_judges_agree(seed: int) -> None:
     failures, seen, effort = campaign.run(seconds=600, seed=500 + seed, most=40)
     assert not failures

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from gmpy2 import mpq
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from bern_exact.oracle import filters
@@ -54,7 +54,6 @@ def test_the_proofs_claims_hold(statement: str, is_true: bool) -> None:
 
 
 @given(held(), held())
-@settings(max_examples=300)
 def test_balls_hold_the_results(first: Any, second: Any) -> None:
     (a, x), (b, y) = first, second
     assert holds(a + b, x + y) and holds(a - b, x - y) and holds(a * b, x * y)
