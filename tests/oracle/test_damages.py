@@ -18,7 +18,9 @@ from bern_exact.formats.polygon_json import dump_polygon
 from bern_exact.oracle import judge as lone
 from bern_exact.oracle.defects import DAMAGES, Damage, Damaged, damage
 from bern_exact.oracle.fast import verify_mesh
+from bern_exact.oracle.filtered import verify_arrays
 from bern_exact.oracle.verdict import DEFECTS
+from bern_exact.plane.array_mesh import ArrayMesh
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.triangulation import triangulate_polygon
@@ -39,21 +41,33 @@ def by_lone_judge(damaged: Damaged) -> dict[str, Any]:
     return lone.judge(mesh_document(damaged.mesh), polygon, limit=LIMIT, **damaged.criterion)
 
 
-def by_fast_judge(damaged: Damaged) -> dict[str, Any]:
+def bounds_of(damaged: Damaged) -> dict[str, Any]:
+    """The criterion as our own judges take it."""
     angle = damaged.max_angle
-    return verify_mesh(
-        damaged.mesh,
-        damaged.polygon,
-        max_angle=None if angle is None else parse_angle_bound(angle),
-        min_height_squared=damaged.min_height_squared,
-        max_triangles=damaged.max_triangles,
-        limit=LIMIT,
-    ).to_json()
+    return {
+        "max_angle": None if angle is None else parse_angle_bound(angle),
+        "min_height_squared": damaged.min_height_squared,
+        "max_triangles": damaged.max_triangles,
+        "limit": LIMIT,
+    }
+
+
+def by_fast_judge(damaged: Damaged) -> dict[str, Any]:
+    return verify_mesh(damaged.mesh, damaged.polygon, **bounds_of(damaged)).to_json()
+
+
+def by_filtered_judge(damaged: Damaged) -> dict[str, Any]:
+    arrays = ArrayMesh.of_mesh(damaged.mesh)
+    return verify_arrays(arrays, damaged.polygon, **bounds_of(damaged)).to_json()
 
 
 Judge = Callable[[Damaged], dict[str, Any]]
 
-JUDGES: dict[str, Judge] = {"lone": by_lone_judge, "fast": by_fast_judge}
+JUDGES: dict[str, Judge] = {
+    "lone": by_lone_judge,
+    "fast": by_fast_judge,
+    "filtered": by_filtered_judge,
+}
 
 # A judge in plain Python gets one in so many of the damages on a mesh of this many triangles.
 PATIENCE: dict[Judge, int] = {by_lone_judge: 2}
