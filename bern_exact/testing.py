@@ -16,7 +16,7 @@ from bern_exact.exact.numbers import parse_rational
 from bern_exact.formats.mesh_json import dumps_mesh
 from bern_exact.formats.polygon_json import dump_polygon
 from bern_exact.oracle.api import verdict_on
-from bern_exact.oracle.arguments import angle_of, exact, mesh_of, polygon_of
+from bern_exact.oracle.arguments import angle_of, distance_of, exact, mesh_of, polygon_of, whole
 from bern_exact.oracle.places import points_of
 from bern_exact.oracle.verdict import Defect, Verdict, point_json
 from bern_exact.outputs import write_atomically
@@ -148,15 +148,21 @@ class Judged:
     def of(vertices: Any, triangles: Any, polygon: Any, **options: Any) -> Judged:
         """Judge what users have."""
         mesh = mesh_of(vertices, triangles)
-        whole = mesh if isinstance(mesh, Mesh) else mesh.mesh
+        judged = mesh if isinstance(mesh, Mesh) else mesh.mesh
         target = None if polygon is None else polygon_of(polygon)
-        asked = {name: value for name, value in options.items() if value is not None}
+        asked = {
+            name: value for name, value in options.items() if value is not None or name == "limit"
+        }
         if "max_angle" in asked:
             asked["max_angle"] = angle_of(asked["max_angle"])
-        for name in ("min_height_squared", "tolerance"):
+        if "min_height_squared" in asked:
+            asked["min_height_squared"] = exact(asked["min_height_squared"], "min_height_squared")
+        if "tolerance" in asked:
+            asked["tolerance"] = distance_of(asked["tolerance"])
+        for name in ("max_triangles", "limit"):
             if name in asked:
-                asked[name] = exact(asked[name], name)
-        return Judged(whole, target, asked, verdict_on(mesh, target, **asked))
+                asked[name] = whole(asked[name], name)
+        return Judged(judged, target, asked, verdict_on(mesh, target, **asked))
 
     @property
     def message(self) -> str:

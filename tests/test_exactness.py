@@ -47,7 +47,10 @@ MODULES_ALLOWED: dict[str, dict[str, str]] = {
     "corpus/slender.py": {"random": "integers from a seed"},
     "corpus/special.py": {"random": "integers from a seed"},
     "plane/array_mesh.py": {"numpy": "doubles that filter, indices"},
-    "oracle/arguments.py": {"numpy": "arrays as users have them"},
+    "oracle/arguments.py": {
+        "numpy": "arrays as users have them",
+        "decimal": "decimals as users have them",
+    },
     "oracle/boundary_rings.py": {"numpy": "indices"},
     "formats/token_text.py": {"numpy": "words of large files; doubles nearest to decimals"},
     "formats/triangle_mesh.py": {"numpy": "rows of words, indices"},

@@ -11,7 +11,7 @@ from gmpy2 import mpq
 
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.errors import InputError
-from bern_exact.oracle.arguments import angle_of, exact, mesh_of, polygon_of
+from bern_exact.oracle.arguments import angle_of, distance_of, exact, mesh_of, polygon_of, whole
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.oracle.filtered import verify_arrays
 from bern_exact.oracle.tolerance import with_departures
@@ -92,20 +92,14 @@ def verify(
         None if polygon is None else polygon_of(polygon),
         max_angle=angle_of(max_angle),
         min_height_squared=_exact_or_none(min_height_squared, "min_height_squared"),
-        max_triangles=max_triangles,
-        tolerance=_distance(tolerance),
-        limit=limit,
+        max_triangles=None if max_triangles is None else whole(max_triangles, "max_triangles"),
+        tolerance=distance_of(tolerance),
+        limit=whole(limit, "limit"),
     )
 
 
 def _exact_or_none(value: Any, place: str) -> mpq | None:
     return None if value is None else exact(value, place)
-
-
-def _distance(tolerance: Any) -> mpq | None:
-    """A tolerance; a float is read as the decimal that it prints as, as an angle is."""
-    written = str(tolerance) if isinstance(tolerance, float) else tolerance
-    return _exact_or_none(written, "tolerance")
 
 
 def verdict_on(

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -42,6 +43,8 @@ def mesh_of(vertices: Any, triangles: Any) -> Mesh | ArrayMesh:
         if isinstance(vertices, Mesh):
             return vertices
     if _is_array(vertices, "f", 2) and _is_array(triangles, "iu", 3):
+        _refuse_masked(vertices, "vertices")
+        _refuse_masked(triangles, "triangles")
         return ArrayMesh.of_doubles(vertices, triangles)
     points = _points(vertices, "vertices")
     corners = (_triangle(item, t) for t, item in enumerate(_listed(triangles, "triangles")))
@@ -97,6 +100,18 @@ def angle_of(value: Any) -> AngleBound | None:
     return parse_angle_bound(value if isinstance(value, str) else str(value))
 
 
+def distance_of(tolerance: Any) -> mpq | None:
+    """A tolerance, or none; a float is read as the decimal that it prints as, as an angle is.
+
+    >>> distance_of(1e-3), distance_of(None)
+    (mpq(1,1000), None)
+    """
+    if tolerance is None:
+        return None
+    written = str(tolerance) if isinstance(tolerance, float | np.floating) else tolerance
+    return exact(written, "tolerance")
+
+
 def polygon_of(value: Polygon | Mapping[str, Any] | Iterable[Any]) -> Polygon:
     """A polygon from the forms in which users have one, validated exactly.
 
@@ -127,9 +142,9 @@ def exact(value: Any, place: str) -> mpq:
     """
     if isinstance(value, mpq | mpz):
         return mpq(value)
-    if isinstance(value, str):
+    if isinstance(value, str | Decimal):  # a decimal's exponent may be enormous
         try:
-            return parse_rational(value)
+            return parse_rational(str(value))
         except InputError as error:
             raise InputError(error.kind, f"{place}: {error.message}", {"path": place}) from error
     try:
@@ -142,13 +157,38 @@ def exact(value: Any, place: str) -> mpq:
     raise InputError("number", f"{place}: {value!r:.60} is not an exact number", {"path": place})
 
 
+def whole(value: Any, place: str) -> int:
+    """A number of things, of any type of integers.
+
+    >>> whole(np.int64(7), "limit")
+    7
+    """
+    try:
+        if not isinstance(value, bool | np.bool):
+            number = operator.index(value)
+            if number >= 0:
+                return number
+    except TypeError:
+        pass
+    message = f"{place}: {value!r:.60} is not an integer from 0 on"
+    raise InputError("number", message, {"path": place})
+
+
 def _listed(value: Any, place: str) -> Sequence[Any]:
     """The items of a list, an iterator or a numpy array."""
     if hasattr(value, "tolist"):
+        _refuse_masked(value, place)
         value = value.tolist()
-    if isinstance(value, str | bytes | Mapping) or not isinstance(value, Iterable):
+    no_order = isinstance(value, str | bytes | Mapping | Set)
+    if no_order or not isinstance(value, Iterable):
         raise InputError("schema", f"{place}: a sequence is expected", {"path": place})
     return value if isinstance(value, Sequence) else list(value)
+
+
+def _refuse_masked(value: Any, place: str) -> None:
+    """Refuse an array in which an entry is masked: nobody says what it is."""
+    if np.ma.is_masked(value):
+        raise InputError("number", f"{place}: an entry is masked", {"path": place})
 
 
 def _points(value: Any, place: str) -> list[HPoint]:

@@ -21,7 +21,8 @@ from bern_exact.exact.points import (
     line_through,
     reduced,
 )
-from bern_exact.exact.predicates import cross, dot, orientation
+from bern_exact.exact.predicates import cross, orientation
+from bern_exact.oracle.conflicts import box, conflicts
 from bern_exact.oracle.side_sweep import Side, enclose_once
 from bern_exact.oracle.verdict import Findings, point_json
 from bern_exact.plane.polygon import Polygon
@@ -142,7 +143,9 @@ def _name_what_is_wrong(
     """Defects where sides are not the polygon's boundary (without a polygon: if they are amiss)."""
     if polygon is None and enclose_once(vertices, sides):
         return
-    clashes = conflicts(vertices, sides)
+    if found.full and not found.valid:
+        return  # nothing more will be listed, and the answer is known
+    clashes = conflicts(vertices, sides, max(found.room, 1))
     for kind, i, j in clashes:
         edge = list(sides[i][:2])
         if kind == "hanging":
@@ -184,7 +187,7 @@ def _name_vertices_off_edges(
     found: Findings,
 ) -> None:
     """Those of the ends of wrong stretches that lie on no edge of the polygon."""
-    boxes = [_box(coordinates(p), coordinates(q)) for p, q, _, _ in outline]
+    boxes = [box(coordinates(p), coordinates(q)) for p, q, _, _ in outline]
     for v in sorted({v for side in sides for v in side[:2]}):
         point = vertices[v]
         if found.full:
@@ -198,53 +201,6 @@ def _name_vertices_off_edges(
         ):
             witness = {"point": point_json(point)}
             found.add("boundary-vertex-off-edge", {"vertex": v}, witness)
-
-
-def _box(p: tuple[mpq, mpq], q: tuple[mpq, mpq]) -> tuple[mpq, mpq, mpq, mpq]:
-    """Left, right, low, high of a segment."""
-    return min(p[0], q[0]), max(p[0], q[0]), min(p[1], q[1]), max(p[1], q[1])
-
-
-def conflicts(vertices: Sequence[HPoint], sides: Sequence[Side]) -> list[tuple[str, int, int]]:
-    """Where sides meet other than in common endpoints.
-
-    Returns
-    -------
-    list of (str, int, int)
-        `("crossing", i, j)` for sides i < j, `("hanging", i, v)` for a vertex v inside side i;
-        sorted, each once.
-
-    Notes
-    -----
-    Only sides whose bounding boxes meet are compared: a sweep over x, quadratic at worst.
-    """
-    found: set[tuple[str, int, int]] = set()
-    boxes = [_box(coordinates(vertices[a]), coordinates(vertices[b])) for a, b, _ in sides]
-    active: list[int] = []
-    for j in sorted(range(len(sides)), key=lambda j: boxes[j][0]):
-        left, _, low, high = boxes[j]
-        active = [i for i in active if boxes[i][1] >= left]
-        for i in active:
-            if boxes[i][2] <= high and low <= boxes[i][3]:
-                found.update(_meeting(vertices, sides, i, j))
-        active.append(j)
-    return sorted(found)
-
-
-def _meeting(
-    vertices: Sequence[HPoint], sides: Sequence[Side], i: int, j: int
-) -> Iterator[tuple[str, int, int]]:
-    """The conflicts of two sides."""
-    crossing = True
-    for k, other in ((i, j), (j, i)):
-        p, q = vertices[sides[k][0]], vertices[sides[k][1]]
-        turns = [orientation(p, q, vertices[v]) for v in sides[other][:2]]
-        for v, turn in zip(sides[other][:2], turns, strict=True):
-            if turn == 0 and dot(direction(vertices[v], p), direction(vertices[v], q)) < 0:
-                yield "hanging", k, v
-        crossing = crossing and turns[0] * turns[1] < 0
-    if crossing:
-        yield "crossing", min(i, j), max(i, j)
 
 
 def _is_covered_once(

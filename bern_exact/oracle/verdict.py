@@ -115,7 +115,12 @@ class Findings:
     @property
     def full(self) -> bool:
         """Would another defect no longer be listed?"""
-        return len(self.defects) >= self.limit
+        return self.room <= 0
+
+    @property
+    def room(self) -> int:
+        """How many more defects would be listed."""
+        return self.limit - len(self.defects)
 
     def add(self, kind: str, where: dict[str, Any], witness: dict[str, Any]) -> None:
         """Note a defect."""
