@@ -23,7 +23,7 @@ from bern_exact.exact.points import (
 )
 from bern_exact.exact.predicates import cross, orientation
 from bern_exact.oracle.conflicts import box, conflicts
-from bern_exact.oracle.side_sweep import Side, enclose_once
+from bern_exact.oracle.side_sweep import Side, enclose_once, meet_in_ends_alone
 from bern_exact.oracle.verdict import Findings, point_json
 from bern_exact.plane.polygon import Polygon
 
@@ -145,7 +145,8 @@ def _name_what_is_wrong(
         return
     if found.full and not found.valid:
         return  # nothing more will be listed, and the answer is known
-    clashes = conflicts(vertices, sides, max(found.room, 1))
+    apart = meet_in_ends_alone(vertices, sides)
+    clashes = [] if apart else conflicts(vertices, sides, max(found.room, 1))
     for kind, i, j in clashes:
         edge = list(sides[i][:2])
         if kind == "hanging":

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from bern_exact import verify
 from bern_exact.exact.points import grid_point
 from bern_exact.oracle.conflicts import conflicts
+from bern_exact.oracle.side_sweep import meet_in_ends_alone
 
 MANY = 10**6
 POINTS = [grid_point(x, y) for x in range(4) for y in range(4)]
@@ -23,6 +24,19 @@ def test_the_first_are_the_first_of_all(ends: list[tuple[int, int]], limit: int)
     every = conflicts(POINTS, sides, MANY)
     assert conflicts(POINTS, sides, limit, many=0) == every[:limit]
     assert conflicts(POINTS, sides, limit) == every[:limit]
+
+
+@given(SIDES)
+def test_without_conflicts_sides_meet_in_ends_alone(ends: list[tuple[int, int]]) -> None:
+    sides = [(a, b, 1) for a, b in dict.fromkeys((min(e), max(e)) for e in ends)]
+    assert meet_in_ends_alone(POINTS, sides) == (not conflicts(POINTS, sides, MANY))
+
+
+def test_nested_triangles_overlap() -> None:
+    vertices = [p for r in range(1, 2_001) for p in ((-r, -r), (r, -r), (0, r))]
+    triangles = [(v, v + 1, v + 2) for v in range(0, 6_000, 3)]
+    verdict = verify(vertices, triangles, limit=5)
+    assert [defect.kind for defect in verdict.defects] == ["overlap"] * 5
 
 
 def test_a_heap_of_triangles_is_judged_without_looking_at_every_pair() -> None:

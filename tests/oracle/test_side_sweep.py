@@ -10,8 +10,9 @@ import pytest
 
 from bern_exact.exact.points import HPoint, grid_point
 from bern_exact.exact.predicates import orientation
+from bern_exact.oracle.conflicts import conflicts
 from bern_exact.oracle.side_sweep import Side, enclose_once
-from bern_exact.oracle.sides import _is_covered_once, conflicts
+from bern_exact.oracle.sides import _is_covered_once
 
 LATTICE = [grid_point(x, y) for x, y in product(range(4), range(4))]
 
@@ -20,7 +21,7 @@ def by_comparing(vertices: list[HPoint], sides: list[Side]) -> bool:
     directed = [(vertices[a], vertices[b], times) for a, b, times in sides]
     if any(times != 1 for _, _, times in sides) or overlapping(vertices, sides):
         return False
-    return not conflicts(vertices, sides) and _is_covered_once(vertices, sides, directed)
+    return not conflicts(vertices, sides, 1) and _is_covered_once(vertices, sides, directed)
 
 
 def overlapping(vertices: list[HPoint], sides: list[Side]) -> bool:
