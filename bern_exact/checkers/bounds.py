@@ -196,7 +196,7 @@ def theorem_1_triangles(n: int, shape: BlockShape = "square") -> int:
 def theorem_1_height_squared(
     tau: mpq = TAU, factor: mpq = FACTOR, shape: BlockShape = "square"
 ) -> mpq:
-    """The least (height/s)^2 of Theorem 1: about 1/271.5^2 for the default tau and factor.
+    """The least (height/s)^2 of Theorem 1: about 1/272.6^2 for the default tau and factor.
 
     Every part has height at least tau b/sqrt 2: Lemma 2 near the boundary (tau b/2
     in blocks round a corner), 1/sqrt 2 inside (Lemma 3).  A lopped corner's fan

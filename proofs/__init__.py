@@ -1,0 +1,1 @@
+"""Proofs of what the code takes for granted, their computable parts checked exactly."""
