@@ -64,7 +64,7 @@ def diagonals_leave_the_staircase() -> str:
 
 @CHAPTER.proved(
     "Lemma 5 (repaired)",
-    "Where a row ends on e beyond a last crossing with a line of the grid that hits e, the diagonal "
+    "Where a row ends on e beyond a last crossing with a line that hits e, the diagonal "
     "through that crossing cuts off a triangle of height at least tau/2, and a piece of e of at "
     "least tau/sqrt 2.",
     IDENTITY,

@@ -92,7 +92,8 @@ LONG_SIDES = mpq(1)
 N is the number of edges of cells on the boundary of Q.  Blocks of one such class are cut off
 by the two half-steps of one level of Lemma 6.  Each has a long side on the boundary of what was
 left, no two the same piece of it.  What is left stays orthoconvex, and so its boundary is at most
-N edges long.  Asserted rather than proved for blocks put out whole; at most 1/2 is seen.
+N edges long.  Proved, for blocks put out whole as well, in `proofs/theorem_4.py`; at most 1/2 is
+seen.
 """
 
 COUNT_CONSTANT = mpq(63, 10)

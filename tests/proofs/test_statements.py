@@ -9,23 +9,25 @@ import pytest
 from proofs.registry import modules
 from proofs.statement import Chapter, Entry, NotShown, demand
 
-ENTRIES: list[Entry] = [
-    entry
+ENTRIES: dict[str, Entry] = {
+    f"{name.removeprefix('proofs.')}.{entry.name}": entry
     for name in modules()
     for entry in getattr(getattr(import_module(name), "CHAPTER", None), "entries", ())
     if not entry.full
-]
+}
 
 
-@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.name)
+@pytest.mark.parametrize("entry", ENTRIES.values(), ids=ENTRIES.keys())
 def test_the_work_of_a_statement_is_done(entry: Entry) -> None:
     found = entry.statement()
     assert found.place and found.text and found.method and found.evidence
     assert found.to_json()["status"] in ("proved", "refuted", "open")
 
 
-def test_no_two_statements_have_one_name() -> None:
-    names = [entry.name for entry in ENTRIES]
+@pytest.mark.parametrize("name", modules())
+def test_no_two_statements_of_a_module_have_one_name(name: str) -> None:
+    chapter = getattr(import_module(name), "CHAPTER", Chapter())
+    names = [entry.name for entry in chapter.entries]
     assert len(set(names)) == len(names)
 
 
