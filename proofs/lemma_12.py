@@ -107,7 +107,7 @@ def exponent() -> str:
     CERTIFICATE,
 )
 def printed_numbers() -> str:
-    """h <= 0.85192, 5/6 <= 0.83334, 3^(1-x) <= 1.1824; and with 0.39413 for 0.39414 the end holds."""
+    """h <= 0.85192, 5/6 <= 0.83334, 3^(1-x) <= 1.1824; with 0.39413 for 0.39414 the end holds."""
     demand(bool(row_part()[1] <= mpq(85192, 10**5)), "0.85192")
     demand(bool(mpq(5, 6) <= mpq(83334, 10**5)), "0.83334")
     demand(mpq(85192 - 83334, 10**5) == mpq(1858, 10**5), "0.01858 is their difference")

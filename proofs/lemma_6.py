@@ -159,8 +159,8 @@ def _follow(first: Piece, edges: int) -> int:
 def tiled_triangles() -> str:
     """T = 2 (V + I) - N - 2 components + 2 holes, a hole has 4 edges: T <= 2 (V + I).
 
-    A rectangle has at most k + 2 <= k + l + 1 Steiner points, if l >= 1, else none.  At the vertices
-    it uses 180 degrees a subdivision, 90 a corner; a vertex has at most 360: I <= V.
+    A rectangle has at most k + 2 <= k + l + 1 Steiner points, if l >= 1, else none.  At its
+    vertices it uses 180 degrees a subdivision, 90 a corner; a vertex has at most 360: I <= V.
     """
     k, less = symbols("k l")
     demand_equal((180 * (2 * k + 2 * less) + 4 * 90) / 360, k + less + 1, "angles")

@@ -47,7 +47,7 @@ def lemma_9() -> str:
 @CHAPTER.proved(
     "Lemma 10 (exact form)",
     "A rectangle a wide with one subdivision on a vertical side, c and d from its ends, has a "
-    "nonobtuse triangulation by its own vertices if and only if a^2 >= c d; then at the subdivision.",
+    "nonobtuse triangulation by its own vertices if and only if a^2 >= c d.",
     IDENTITY,
 )
 def lemma_10() -> str:
@@ -171,7 +171,7 @@ def first_subdivisions() -> str:
     "many closed paths as the former: 9 n verticals.",
 )
 def verticals() -> str:
-    """n + 2 (2 n) + 2 (2 n) = 9 n is proved; the counts themselves are argued in `bounds_bounce`."""
+    """n + 2 (2 n) + 2 (2 n) = 9 n; the counts themselves are argued in `bounds_bounce`."""
     n = symbols("n")
     demand_equal(bounds_bounce.verticals(n), n + 2 * 2 * n + 2 * 2 * n, "9 n")
     demand_nonnegative(bounds_bounce.verticals(n), "9 n")

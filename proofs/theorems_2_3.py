@@ -78,7 +78,7 @@ def theorem_3_count() -> str:
     CERTIFICATE,
 )
 def height() -> str:
-    """The least part is tau/2, of merged faces; fans on pieces of at least tau/sqrt 2 have tau/2."""
+    """The least part is tau/2, of merged faces; fans on pieces of tau/sqrt 2 have tau/2 too."""
     part = bounds.merged_height_squared()
     demand(bool(part <= bounds.boundary_height_squared()), "blocks")
     demand(bool(part <= bounds.base_piece_squared() / 2), "fans")
@@ -104,7 +104,7 @@ def largest_angle() -> str:
 @CHAPTER.proved(
     "Section 3.2, lower bound",
     "A partition of the grid of holes has at least a third of the spanning tree's length as "
-    "vertices: a network that spans points is a Steiner tree, of at least 2/3 of the least spanning "
+    "vertices: a network that spans points is a Steiner tree, at least 2/3 as long as the spanning "
     "tree in the L1 metric (Hwang 1976); the paper takes the spanning tree itself.",
     "written proof, from Hwang's theorem; exact example",
 )
