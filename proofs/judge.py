@@ -30,12 +30,12 @@ triangles are disjoint, and the union is the closure of the faces with c = 1.
 
 (4) *Corners.*  In both cases suppose a vertex v lies in the interior of triangle t or inside its
 edge ab.  In the interior: v is used, and the triangle at v has points inside t.  So c would be 2.
-Inside ab, t being on the left: the triangles at v do not overlap t, so that next to v they lie in the
-half-plane on the right of ab.  Of their edges at v take the first, vx, counter-clockwise from the
-direction of a.  The triangle on its left has the directed edge vx.  One with the edge xv would have
-a corner at v on the right of vx: before the first, or overlapping t.  So vx is a side.  Then ab is
-none, as sides meet in endpoints alone.  So ba is a directed edge of another triangle, on the right
-of ab, which the triangles at v overlap: c would be 2.  A contradiction.
+Inside ab, t being on the left: the triangles at v do not overlap t, so that next to v they lie in
+the half-plane on the right of ab.  Of their edges at v take the first, vx, counter-clockwise from
+the direction of a.  The triangle on its left has the directed edge vx.  One with the edge xv would
+have a corner at v on the right of vx: before the first, or overlapping t.  So vx is a side.  Then
+ab is none, as sides meet in endpoints alone.  So ba is a directed edge of another triangle, on the
+right of ab, which the triangles at v overlap: c would be 2.  A contradiction.
 
 (5) *Meeting.*  Let triangles t and u have a point in common.  Interiors are disjoint, so a line
 parts them, and what they have in common is a segment or point on it, an end of which is a corner
