@@ -65,7 +65,7 @@ POLYGONS: dict[str, Sequence[Place]] = {
         (-2, 3),
     ],
     "reflex": [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)],
-    "returning": [(0, 0), (2, 0), (3, 1), (1, 3), (0, 3)],
+    "returning": [(0, 0), (1, 0), (3, 1), (1, 3), (0, 1)],
     "bounces": [(1, 1), (4, 0), (6, 0), (6, 8), (5, 8), (3, 6), (2, 4)],
 }
 """Polygons that refute a sentence."""

@@ -26,6 +26,46 @@ def degrees_of_arctan(tangent: mpq) -> tuple[mpq, mpq]:
     return 180 * low / pi[1], 180 * high / pi[0]
 
 
+@CHAPTER.proved(
+    "Definition 1",
+    "No triangulation of P, with any Steiner points, has all heights above s.",
+    "written proof",
+)
+def no_better_height() -> str:
+    """Let e be a shortest segment from a vertex v to an edge f not at v, or an edge of length s.
+
+    A triangle with a side of length at most s has height at most s: that covers an edge of P
+    of length s, and e beginning along an edge vx of the mesh with |vx| <= s.  If |vx| > s, e ends
+    inside vx at a point y of f.  Then vx runs along f, for else it would leave P or y would be a
+    vertex; so all of vx is on f, and v too: no.  Else e begins inside a triangle at v.  It does not
+    end there, since y is on the boundary of P; so it meets the opposite side, at most s away: the
+    altitude from v is at most s.  The height is the least altitude.
+    """
+    return "an altitude or a side of at most s"
+
+
+@CHAPTER.proved(
+    "Definition 1",
+    "s is the least of all edge lengths and all distances of a vertex from an edge not at it whose "
+    "shortest segment leaves the vertex within its wedge: visibility need not be tested.",
+    "written proof",
+)
+def no_visibility_test() -> str:
+    """Distances are within P.  Candidates are not below s, and s is one of them.
+
+    An edge uv: u is at most |uv| from the other edge at v.  A segment from v to y on f that
+    begins in the wedge either stays in P, or runs along an edge at v and beyond its end, which is
+    longer than that edge, or leaves P first at a point z of an edge not at v: then it is longer
+    than a way within P from v to that edge.  So no candidate is below s.
+
+    A shortest way from a vertex v to an edge f not at v is a segment, or bends at vertices.  If it
+    is a segment it begins in the wedge: a candidate.  If it bends, let u be the last one: it is not
+    on f, where the way would end, and what follows is a shorter way, of u.  So the least of all ways
+    is a candidate.
+    """
+    return "a blocked pair implies a smaller candidate"
+
+
 @CHAPTER.proved("Section 2, warping", "arctan((b/4)/b) < 14.04 degrees.", CERTIFICATE)
 def arctan_of_a_quarter() -> str:
     """Rational bounds of arctan(1/4) and of pi."""
