@@ -60,8 +60,8 @@ def no_visibility_test() -> str:
 
     A shortest way from a vertex v to an edge f not at v is a segment, or bends at vertices.  If it
     is a segment it begins in the wedge: a candidate.  If it bends, let u be the last one: it is not
-    on f, where the way would end, and what follows is a shorter way, of u.  So the least of all ways
-    is a candidate.
+    on f, where the way would end, and what follows is a shorter way, of u.  So the least of all
+    ways is a candidate.
     """
     return "a blocked pair implies a smaller candidate"
 
