@@ -314,6 +314,11 @@ REMARKS: Sequence[tuple[str, str]] = (
         "row and on a column can be equally near to a grid vertex: the code turns P once more.",
     ),
     (
+        "Letters in Section 5.1",
+        "In the first recurrence the arguments of R are exchanged (R(l - 1, m) has l - 1 columns); "
+        "n/3 and m/3, of columns, mean k/3.",
+    ),
+    (
         "End faces of at most four sides",
         "No counterexample is known with all diagonals drawn (`printed.end_faces`, open).",
     ),

@@ -227,22 +227,58 @@ def corners_of_a_face() -> str:
 
 @CHAPTER.proved(
     "Section 2, warping",
-    "At most two q-vertices of one edge choose the same grid vertex.",
-    "written proof",
+    "At most two q-vertices choose the same grid vertex, if it is in no block, or the same instance "
+    "of an exterior one; they are of one edge.",
+    IDENTITY,
 )
-def choosers_on_one_edge() -> str:
-    """They are where the edge meets the two grid lines through that vertex: one a line.
+def choosers() -> str:
+    """Those of one edge are where it meets the two grid lines through that vertex: one a line.
 
-    No edge is axis-parallel.  The same for an exterior instance, which is of one edge.
+    No edge is axis-parallel, and an instance is of one edge.  Suppose that q-vertices of two edges
+    are less than tau from a grid vertex g, within P'.  Edges without a common end are at least
+    s' > 2 tau apart.  If they meet at v, let phi and psi be the angles from vg to them through P',
+    phi + psi >= 90 degrees.  A distance within P' is |vg| sin phi, or |vg| if phi >= 90.  So the
+    greater of them is at least |vg| sin 45: |vg| < sqrt 2 tau < 1, and g is in the block of v.
     """
     demand(bounds.CHOOSERS == 2, "two grid lines")
-    return "one a grid line"
+    demand(bool(2 * bounds.TAU**2 < 1 and bounds_grid.FACTOR > 2 * bounds.TAU), "tau is small")
+    return "one a grid line; 2 tau^2 < 1"
 
 
-@CHAPTER.open("Section 2, warping", "At most two q-vertices choose the same grid vertex.")
-def choosers_of_two_edges() -> str:
+@CHAPTER.proved(
+    "Section 2, warping",
+    "All edges with no end in a block are at least b/8 = tau b long after warping, for tau <= 1/3.",
+    IDENTITY,
+)
+def least_edge() -> str:
+    """Grid vertices outside blocks move onto one edge of P' each (`choosers`), by at most tau.
+
+    - Between grid vertices, moved or not: at least 1 - 2 tau >= tau.
+    - From a grid vertex g to a q-vertex on e: if g moved, it moved onto e, where q merges with it.
+      So g stays and |qg| >= tau.  If q's anchor c moved, q is at a chooser q' of (e, c), less than
+      tau from c, which is at least 1 from g: at least 1 - tau.  Else q stays.
+    - Between q-vertices of two edges: these have no common end, as that would be in a block: s'.
+    - Between nodes on e: they are at places of q-vertices.  On parallel grid lines: at least 1.  On
+      lines that cross at g: if either is less than tau from g, then g or its instance on e moves
+      onto e, and both merge with it.  Else they are at least sqrt 2 tau apart.
+    """
+    tau, rest = symbols("tau rest")
+    demand_equal(bounds.edge_squared(tau), tau**2, "edge_squared()")
+    third = sympy.Rational(1, 3) / (1 + rest)
+    for least in (1 - 2 * tau - tau, 1 - tau - tau):
+        demand_nonnegative(sympy.cancel(least.subs(tau, third) * (1 + rest)), "at least tau")
+    demand_nonnegative(2 * tau**2 - bounds.edge_squared(tau), "sqrt 2 tau")
+    demand(bool(bounds_grid.FACTOR > bounds.TAU), "s'")
+    return "1 - 2 tau, 1 - tau and sqrt 2 tau are at least tau"
+
+
+@CHAPTER.open(
+    "Section 2, warping",
+    "The same in blocks: at most two q-vertices choose one grid vertex, edges are at least tau.",
+)
+def choosers_in_blocks() -> str:
     """Both edges at a vertex may pass near a grid vertex of its block."""
-    return "proved for one edge; checked on every run (`warping`), never more seen"
+    return "checked on every run (`warping`, `lemma-2.block-edges`), never failed"
 
 
 @CHAPTER.open(
