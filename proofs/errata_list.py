@@ -98,7 +98,8 @@ ERRATA: Sequence[Erratum] = (
         "A detailed case analysis shows that all faces can actually be triangulated with height "
         "almost b/8.",
         "printed.almost_an_eighth",
-        "The triangle (0, 1), (1, 0), (1, 2): a height of 0.116 b < b/8.",
+        "The triangle (1, 1), (2, 0), (4, 3): a face outside blocks of which every triangulation has "
+        "a height below 0.091 b, next to b/(8 sqrt 2) = 0.088 b.",
         "An edge of length b/8 at 45 degrees to the longest edge of its triangle gives "
         "b/(8 sqrt 2).",
         "The bound is tau/sqrt 2, for blocks of 2 x 2 squares tau/2.",

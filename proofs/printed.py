@@ -22,7 +22,9 @@ from bern_exact.checkers.lemma_5 import check_lemma_5
 from bern_exact.checkers.lemma_6 import check_lemma_6_as_printed
 from bern_exact.checkers.lemma_10 import check_lemma_10_as_printed
 from bern_exact.checkers.lemma_11 import check_lemma_11_as_printed
+from bern_exact.checkers.printed_ends import best_height
 from bern_exact.checkers.printed_recursion import check_lemma_12_as_printed
+from bern_exact.checkers.rings import places_of
 from bern_exact.convex.block_records import Block, Blocks, Reduced
 from bern_exact.convex.cells import Cells
 from bern_exact.convex.reduction import Lines, reduce_block
@@ -55,7 +57,7 @@ POLYGONS: dict[str, Sequence[Place]] = {
         ("25.56", "8.98"),
         ("3.63", "8.23"),
     ],
-    "thin-face": [(0, 1), (1, 0), (1, 2)],
+    "thin-face": [(1, 1), (2, 0), (4, 3)],
     "end-face": [(0, 0), (2, 0), (2, 1)],
     "end-face-bound": [
         (0, 0),
@@ -170,8 +172,17 @@ def closest_corner() -> str:
 
 @CHAPTER.refuted("Lemma 2", "All faces can actually be triangulated with height almost b/8.")
 def almost_an_eighth() -> str:
-    """An edge of length tau at 45 degrees to the longest edge of its triangle: tau/sqrt 2."""
-    return on("thin-face", 1, "lemma-2.printed-height")
+    """An edge of length tau at 45 degrees to the longest edge of its triangle: tau/sqrt 2.
+
+    A face outside blocks, by the best of all its triangulations.
+    """
+    on("thin-face", 1, "lemma-2.printed-height")
+    mesh: Any = run("thin-face", 1).stages["boundary"]
+    places = places_of(mesh)
+    faces = [[places[node] for node in face.ring] for face in mesh.faces if face.block < 0]
+    best = min(best_height(ring) for ring in faces)
+    demand(bool(0 < best < mpq(91, 1000) ** 2 < bounds.TAU**2), "every triangulation of a face")
+    return f"(best height of a face/b)^2 = {_brief(best)}, less than 0.091^2; printed 1/64"
 
 
 @CHAPTER.refuted(

@@ -227,8 +227,8 @@ def corners_of_a_face() -> str:
 
 @CHAPTER.proved(
     "Section 2, warping",
-    "At most two q-vertices choose the same grid vertex, if it is in no block, or the same instance; "
-    "they are of one edge.",
+    "At most two q-vertices choose the same grid vertex outside blocks, or the same instance; they "
+    " are of one edge.",
     IDENTITY,
 )
 def choosers() -> str:
@@ -257,8 +257,8 @@ def least_edge() -> str:
     - From a grid vertex g to a q-vertex on e: if g moved, it moved onto e, where q merges with it.
       So g stays and |qg| >= tau.  If q's anchor c moved, q is at a chooser q' of (e, c), less than
       tau from c, which is at least 1 from g: at least 1 - tau.  Else q stays.
-    - Between q-vertices p and q of two edges: at least s' if these have no common end; else, meeting
-      at v at 90 degrees or more within P', they leave |pq| >= |vp| >= 1, as p is in no block.
+    - Between q-vertices p and q of two edges: at least s' if these have no common end; else they
+      meet at v at 90 degrees or more within P', so |pq| >= |vp| >= 1, as p is in no block.
     - Between nodes on e: they are at places of q-vertices.  On parallel grid lines: at least 1.  On
       lines that cross at g: if either is less than tau from g, then g or its instance on e moves
       onto e, and both merge with it.  Else they are at least sqrt 2 tau apart.
