@@ -98,8 +98,8 @@ ERRATA: Sequence[Erratum] = (
         "A detailed case analysis shows that all faces can actually be triangulated with height "
         "almost b/8.",
         "printed.almost_an_eighth",
-        "The triangle (1, 1), (2, 0), (4, 3): a face outside blocks of which every triangulation has "
-        "a height below 0.091 b, next to b/(8 sqrt 2) = 0.088 b.",
+        "The triangle (1, 1), (2, 0), (4, 3): a face outside blocks with no triangulation of "
+        "a height above 0.091 b, next to b/(8 sqrt 2) = 0.088 b.",
         "An edge of length b/8 at 45 degrees to the longest edge of its triangle gives "
         "b/(8 sqrt 2).",
         "The bound is tau/sqrt 2, for blocks of 2 x 2 squares tau/2.",
@@ -145,7 +145,8 @@ ERRATA: Sequence[Erratum] = (
         "Height Omega(s) comes for free. [...] All slopes are bounded away from -1, so this "
         "property is preserved by the projection.",
         "printed.end_face_height",
-        "The triangle (0, 0), (2, 0), (2, 1): an end face of height 0.016 b; the infimum is 0.",
+        "The triangle (0, 0), (2, 0), (2, 1): an end face of height 0.016 b. (17, 15), (15, 19), "
+        "(0, 3), turned by the angle in `proofs/printed.py`: 0.00016 b.",
         "A projection can land next to the end of e; nothing keeps them apart.",
         "The first and the last diagonal may be left out; the fewest diagonals are drawn that "
         "keep both bounds.",
