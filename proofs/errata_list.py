@@ -146,7 +146,7 @@ ERRATA: Sequence[Erratum] = (
         "property is preserved by the projection.",
         "printed.end_face_height",
         "The triangle (0, 0), (2, 0), (2, 1): an end face of height 0.016 b. (17, 15), (15, 19), "
-        "(0, 3), turned by the angle in `proofs/printed.py`: 0.00016 b.",
+        "(0, 3), turned by the angle in `proofs/printed.py`: 0.00015 b.",
         "A projection can land next to the end of e; nothing keeps them apart.",
         "The first and the last diagonal may be left out; the fewest diagonals are drawn that "
         "keep both bounds.",

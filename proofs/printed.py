@@ -16,6 +16,7 @@ from bern_exact.api import Result, triangulate
 from bern_exact.boundary.rotation import SMALL
 from bern_exact.checkers import bounds
 from bern_exact.checkers.as_printed import check_swept_as_printed
+from bern_exact.checkers.chords import Turns
 from bern_exact.checkers.definition_2 import check_definition_2
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_5 import check_lemma_5
@@ -26,8 +27,11 @@ from bern_exact.checkers.printed_ends import best_height
 from bern_exact.checkers.printed_recursion import check_lemma_12_as_printed
 from bern_exact.checkers.rings import places_of
 from bern_exact.convex.block_records import Block, Blocks, Reduced
+from bern_exact.convex.bounce import bounce
 from bern_exact.convex.cells import Cells
+from bern_exact.convex.frame import convex_frame
 from bern_exact.convex.reduction import Lines, reduce_block
+from bern_exact.corpus.convex import occupied_spiral
 from bern_exact.exact.enclosures import decimal_enclosure
 from bern_exact.exact.points import hpoint
 from bern_exact.exact.similarity import Similarity
@@ -81,6 +85,9 @@ C_SHAPE = (
     + ((0, 3), (0, 2), (0, 1))
 )  # fmt: skip
 """A rectilinear polygon with the matching condition: the ends of its chords are vertices."""
+
+SPIRAL = 160
+"""Vertices of the spiral of the corpus on which many paths turn."""
 
 TALL = 2
 """The height of a face 1 wide that the zig-zag makes thin."""
@@ -327,8 +334,18 @@ def recursion(widths: Sequence[int], heights: Sequence[int]) -> Reduced:
     "Once those in the middle have been bounced, all subdivision points return to their own sides.",
 )
 def returning() -> str:
-    """A counter-clockwise path can meet the middle later, and turns there."""
-    return on("returning", 4, "bounce.printed-return")
+    """A counter-clockwise path can meet the middle later, and turns there.
+
+    Besides, on a spiral of the corpus with 160 vertices.
+    """
+    ring = [hpoint(x, y) for x, y in occupied_spiral(SPIRAL)[0]]
+    frame = convex_frame(polygon_from_rings([ring]))
+    turns = Turns(frame)
+    outside = [(x, side) for x, side in bounce(frame).first if turns.zone(x)]
+    lost = sum(turns.turn(x, side) is None for x, side in outside)
+    demand(lost == 63, f"{lost} on the spiral")
+    found = on("returning", 4, "bounce.printed-return")
+    return f"{found}; {lost} of {len(outside)} on occupied-spiral {SPIRAL}"
 
 
 @CHAPTER.refuted(
