@@ -47,8 +47,8 @@ NOTES: Sequence[str] = (
     "N = 858 n.",
     "[4] `theorems_2_3.steiner_ratio`: partitions into matching rectangles, not triangulations.",
     "[5] `theorems_2_3.height`, *proved* if blocks and merged faces keep their heights.",
-    "[6] `theorem_4.count`, with the constant 16 of `lemma_12.induction`, *proved*, for 9 n "
-    "verticals (`section_5.verticals`, open); 6.3 for 40.1 if the constant is 5/2 "
+    "[6] `theorem_4.count`, with the constant 16 of `lemma_12.induction` and the 9 n verticals of "
+    "`bouncing.verticals`, *proved*; 6.3 for 40.1 if the constant is 5/2 "
     "(`lemma_12.constant`, open).",
 )
 """Where each entry is shown."""
