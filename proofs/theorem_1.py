@@ -65,8 +65,8 @@ def count() -> str:
 
 @CHAPTER.proved(
     "Theorem 1",
-    "If faces along the boundary keep Lemma 2's heights, tau/sqrt 2, and edges, tau, every height is "
-    "at least s/272.7, with the paper's tau = 1/8 and b = s'/8.",
+    "If faces along the boundary keep Lemma 2's heights, tau/sqrt 2, and edges, tau, all heights "
+    "are at least s/272.7, with the paper's tau = 1/8 and b = s'/8.",
     CERTIFICATE,
 )
 def height() -> str:
