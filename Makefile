@@ -33,7 +33,7 @@ lint: $(STAMP)
 	$(BIN)/ruff format --check .
 
 types: $(STAMP)
-	$(BIN)/mypy --strict -p bern_exact
+	$(BIN)/mypy --strict -p bern_exact -p proofs
 
 pytest: $(STAMP)
 	$(BIN)/python -m pytest -n $(JOBS)

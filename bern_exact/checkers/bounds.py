@@ -196,7 +196,7 @@ def theorem_1_triangles(n: int, shape: BlockShape = "square") -> int:
 def theorem_1_height_squared(
     tau: mpq = TAU, factor: mpq = FACTOR, shape: BlockShape = "square"
 ) -> mpq:
-    """The least (height/s)^2 of Theorem 1: about 1/271.5^2 for the default tau and factor.
+    """The least (height/s)^2 of Theorem 1: about 1/272.6^2 for the default tau and factor.
 
     Every part has height at least tau b/sqrt 2: Lemma 2 near the boundary (tau b/2
     in blocks round a corner), 1/sqrt 2 inside (Lemma 3).  A lopped corner's fan
@@ -294,8 +294,8 @@ def halving_vertices(edges: int) -> int:
     """The most vertices of Lemma 6's partition: the floor of 1.5 N log2 N - 0.5 N.
 
     Each strip cut off has a long side on the boundary of what was left, no two the same
-    piece of it; that boundary is at most N long, and there are at most 2 log2 N half-steps.
-    Exact: the greatest V with 2^(2 V + N) <= N^(3 N).
+    piece of it, and there are no more strips than there were runs.  Proved in
+    `proofs/lemma_6.py`, even with N for 0.5 N.  Exact: the greatest V with 2^(2 V + N) <= N^(3 N).
 
     >>> [halving_vertices(edges) for edges in (0, 4, 6, 1000)]
     [0, 10, 20, 14448]
@@ -306,6 +306,8 @@ def halving_vertices(edges: int) -> int:
 
 def strips_vertices(edges: int) -> int:
     """The most vertices of Lemma 8's partition: the floor of 2 N + N^1.5.
+
+    Proved in `proofs/lemma_8.py`, even with N for 2 N.
 
     >>> [strips_vertices(edges) for edges in (0, 4, 6, 1000)]
     [0, 16, 26, 33622]

@@ -76,7 +76,7 @@ def strip_triangles(rows: int) -> int:
 
 
 EXPONENT = mpq(339, 400)
-"""x = 0.8475: (5/6 + 4 3^-x) 3^-x + 2 (3^-x) 6^-x = 1 at 0.84747771... (Section 5.1)."""
+"""x = 0.8475: (5/6 + 4/3) 3^-x + (2/3) 6^-x = 1 at 0.8474777... (Section 5.1)."""
 
 POWER_CONSTANT = mpq(5, 2)
 """c in the count's bound c (m^x k + m k^x) (Lemma 12, made explicit and symmetric).
@@ -94,7 +94,8 @@ Proved:
   printed has m^x k alone, and needs m' < k' in all seven parts, which is false.
 
 Asserted: the constant for all larger rectangles, where rounding a part's size by one line
-has less and less influence.  The checker evaluates it on each block of each run.  c cannot be
+has less and less influence.  The checker evaluates it on each block of each run.  With 16 for 5/2
+it is proved for all m and k, rounding included (`proofs/lemma_12.py`).  c cannot be
 less than 2 3^(1 - x) = 2.365 in the worst case: 3 rows, the middle one tall, and k columns,
 none wide, are not reduced at all.
 """
