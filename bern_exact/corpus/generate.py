@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
 from contextlib import contextmanager
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from pathlib import Path
+from threading import Thread
 
 from bern_exact.corpus.case import Files, case_files
 from bern_exact.corpus.manifest import MANIFEST, manifest_text
@@ -104,11 +106,27 @@ def processes(given: Executor | None, workers: int) -> Iterator[Executor | None]
         yield given
         return
     # Not forked: a fork copies threads' locks, and the same start everywhere is the same result.
-    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
+    start = get_context("spawn")
+    pool = ProcessPoolExecutor(workers, mp_context=start, initializer=_end_with_parent)
     try:
         yield pool
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def _end_with_parent() -> None:
+    """Let this worker end when the process that started it does, by a signal too.
+
+    Without this it would wait for work for ever: workers hold each other's pipes open.
+    """
+    parent = parent_process()
+
+    def watch() -> None:
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    Thread(target=watch, daemon=True).start()
 
 
 def made(
