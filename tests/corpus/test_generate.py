@@ -146,3 +146,18 @@ def test_killed_at_any_moment_and_run_again_it_ends_the_same(corpus: Path, tmp_p
     )
     assert done.returncode == 0, done.stderr
     assert contents(directory) == contents(corpus)
+
+
+def test_workers_end_with_the_process_that_started_them(tmp_path: Path) -> None:
+    words = ["corpus", "generate", "--out", str(tmp_path), "--seed", "9", "--count", "400"]
+    run = subprocess.Popen(
+        [sys.executable, "-m", "bern_exact", *words, "--workers", "2"],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+    )
+    assert run.stderr is not None
+    while not any(tmp_path.iterdir()) and run.poll() is None:
+        time.sleep(0.05)
+    run.kill()
+    run.stderr.read()  # ends when the last worker has closed it
+    assert run.wait() == -signal.SIGKILL
