@@ -63,6 +63,6 @@ latter, which is attained in the limit.  That a corner with all three always exi
 none does, the package takes the closest corner, and the checker reports the block.
 """
 
-from proofs.lemma_2.statements import statements
+from proofs.lemma_2.statements import CHAPTER, statements
 
-__all__ = ["statements"]
+__all__ = ["CHAPTER", "statements"]

@@ -6,10 +6,16 @@ from typing import NamedTuple
 
 from gmpy2 import mpq
 
-from proofs.lemma_2.rays import HIGH, LOW, MIDDLE, E, RayType
-from proofs.lemma_2.warping import Point
+from bern_exact.boundary.optimal import Demand, best_triangulation
+from bern_exact.exact.points import HPoint, hpoint
+from proofs.lemma_2.block import CORNERS, block
+from proofs.lemma_2.rays import HIGH, LOW, MIDDLE, E, F, RayType
+from proofs.lemma_2.warping import Point, outcomes
 
 Vector = tuple[mpq, mpq]
+
+NO_TRIANGULATION = mpq(10**9)
+"""Instead of a cotangent, where a face has no triangulation at all."""
 
 
 class Configuration(NamedTuple):
@@ -120,3 +126,26 @@ def place(c: Configuration, point: Point) -> Vector:
     off_p, off_q = (z[0] - at(c, ray, z[1]) for z in (p, q))
     s = off_p / (off_p - off_q)
     return turned_point(quarters, (p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1])))
+
+
+def kappas(c: Configuration, tau: mpq) -> dict[tuple[int, int], mpq]:
+    """For each corner, minus the least cotangent in the best triangulation of its worst face."""
+    made = block(c.cls, type_of(c, E, tau), type_of(c, F, tau))
+    if made is None:
+        raise ValueError(f"no rays are of these types: {c}")
+    worst: dict[tuple[int, int], mpq] = {}
+    for corner in CORNERS:
+        worst[corner] = max(
+            (
+                _kappa([hpoint(*place(c, point)) for point in ring])
+                for found in outcomes(made, corner)
+                for ring in found.rings
+            ),
+            default=mpq(0),
+        )
+    return worst
+
+
+def _kappa(ring: list[HPoint]) -> mpq:
+    found = best_triangulation(ring, Demand(for_angle=True))
+    return NO_TRIANGULATION if found is None else -found.value

@@ -62,6 +62,10 @@ class Form:
         """An integer multiple."""
         return Form(k * self.c, {i: k * v for i, v in self.a.items()}, abs(k) * self.r)
 
+    def scaled(self, k: Array) -> Form:
+        """A multiple that is another one for each box, k >= 0."""
+        return Form(k * self.c, {i: k * v for i, v in self.a.items()}, k * self.r)
+
     def plus(self, k: Array) -> Form:
         """This and a constant."""
         return Form(self.c + k, self.a, self.r)
@@ -92,10 +96,10 @@ def product(p: Form, q: Form) -> Form:
     return Form(c, a, rest)
 
 
-def lowered(p: Form) -> Form:
-    """A form at the scale 2^(2 BITS) at 2^BITS: every coefficient is rounded by less than 1."""
-    a = {i: v >> BITS for i, v in p.a.items()}
-    return Form(p.c >> BITS, a, (p.r >> BITS) + (2 + len(a)))
+def lowered(p: Form, shift: int = BITS) -> Form:
+    """A form divided by 2^shift: every coefficient is rounded by less than 1."""
+    a = {i: v >> shift for i, v in p.a.items()}
+    return Form(p.c >> shift, a, (p.r >> shift) + (2 + len(a)))
 
 
 def quotient(

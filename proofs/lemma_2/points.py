@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from proofs.lemma_2.forms import (
+    BITS,
     ONE,
     Form,
     bounded,
@@ -20,6 +21,13 @@ from proofs.lemma_2.rays import HIGH, LOW, E
 from proofs.lemma_2.warping import Point, Ring
 
 Array = Any
+
+
+SHIFT = 16
+"""Products are lowered by this before they are multiplied by a length."""
+
+LONGEST = 16 << (2 * BITS - SHIFT)
+"""The square of no side of interest is longer."""
 
 
 class Place(NamedTuple):
@@ -41,10 +49,13 @@ class Bounds(NamedTuple):
         dot + kappa cross > 0 at each corner: numerator and denominator, at most 16.
     tau : int
         The snapping threshold at the scale 2^BITS.
+    height : (int, int), optional
+        k and j, k <= 16 and j <= 8: every height is above k / 2^j.
     """
 
     kappa: tuple[int, int]
     tau: int
+    height: tuple[int, int] = (0, 0)
 
 
 def unturned(quarters: int, p: Place) -> Place:
@@ -154,6 +165,24 @@ class Boxes:
         good = good & self.is_wide(bc, _reversed(ab)) & self.is_wide(ca, _reversed(bc))
         for side in (ab, bc, ca):
             good = good & bounded(side.x) & bounded(side.y)
+        return good & self.is_high((ab, bc, ca)) if self.bounds.height[0] else good
+
+    def is_high(self, sides: tuple[Place, Place, Place]) -> Array:
+        """Is cross > height |side| for all three sides?
+
+        As |side| <= (side^2 / l + l) / 2 for any l > 0, it is if 2 l cross > height (side^2 + l^2);
+        l is the side's length at the centre, in multiples of 2^-8.
+        """
+        k, j = self.bounds.height
+        (a, b), (c, d) = sides[:2]
+        cross = lowered(product(a, d) - product(b, c), SHIFT)
+        good: Array = True
+        for x, y in sides:
+            square = lowered(product(x, x) + product(y, y), SHIFT)
+            length = 1 + roots(np.clip(square.c, 0, LONGEST) >> (2 * BITS - SHIFT - 16))
+            times_cross = cross.scaled(length << (j + 1))
+            enough = square.times(k << 8).plus(k * length * length << (2 * BITS - SHIFT - 8))
+            good = good & is_positive(times_cross - enough)
         return good
 
     def triangulates(self, ring: Ring) -> Array:
@@ -171,6 +200,15 @@ class Boxes:
                         own = self.is_good(places[i], places[k], places[j])
                         good[i, j] = good[i, j] | (parts & own)
         return good[0, size - 1] & np.ones(self.low.shape[1], dtype=bool)
+
+
+def roots(squares: Array) -> Array:
+    """Integers near the square roots of numbers below 2^20, by Newton's iteration."""
+    root = np.full_like(squares, 1 << 10)
+    for _ in range(12):
+        root = (root + squares // root) >> 1
+        root = np.maximum(root, 1)
+    return root
 
 
 def _reversed(u: Place) -> Place:

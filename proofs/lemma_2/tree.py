@@ -8,6 +8,7 @@ inner node is halved without a remainder, so nothing else about it has to be tru
 from __future__ import annotations
 
 import lzma
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -20,8 +21,10 @@ Array = Any
 
 DIRECTORY = Path(__file__).parent / "trees"
 
-DEEPEST = BITS - 2
-"""A side may be halved so often that the half of a half is still whole."""
+LEAF = ord("0")
+
+SMALLEST = 1
+"""The length of a side is at least 2^1: its half is whole."""
 
 
 class MalformedTree(Exception):
@@ -49,14 +52,17 @@ def stored(name: str, cls: int) -> bytes:
     return lzma.decompress((DIRECTORY / f"{name}_{cls}.xz").read_bytes()).strip()
 
 
-def root(cls: int) -> tuple[list[int], list[int]]:
-    """The box of all parameters of a class, but for what a mirror image covers."""
-    high = [ONE, ONE, ONE, ONE]
+def root(cls: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """The box of all parameters of a class, but for what a mirror image covers.
+
+    Its lower bounds, and of each side the length, a power of two.
+    """
+    lengths = [BITS, BITS, BITS + 1, BITS + 1]
     if cls == UP:
-        high[0] = ONE // 2
+        lengths[0] -= 1
     if cls == DOWN:
-        high[1] = ONE // 2
-    return [0, 0, -ONE, -ONE], high
+        lengths[1] -= 1
+    return (0, 0, -ONE, -ONE), tuple(lengths)
 
 
 def leaves(word: bytes, cls: int) -> Leaves:
@@ -67,32 +73,42 @@ def leaves(word: bytes, cls: int) -> Leaves:
     MalformedTree
         If the word is no tree, is too deep, or its leaves do not fill the root box.
     """
-    pending = [(*root(cls), 0)]
-    lows, highs = [], []
-    deepest, filled = 0, 0
+    bottom, lengths = root(cls)
+    found = np.array(list(_packed_leaves(word, lengths)), dtype=np.uint64).reshape(-1, 3).T
+    offsets = [found[0] & LOW_HALF, found[0] >> 32, found[1] & LOW_HALF, found[1] >> 32]
+    powers = np.array([found[2] >> (8 * d) & 255 for d in range(4)]).astype(np.int64)
+    low = np.array(offsets).astype(np.int64) + np.array(bottom)[:, None]
+    volumes = np.bincount(powers.sum(axis=0))
+    filled = sum(int(count) << power for power, count in enumerate(volumes))
+    if filled != 1 << sum(lengths):
+        raise MalformedTree("the leaves do not fill the box of all parameters")
+    deepest = int((np.array(lengths)[:, None] - powers).sum(axis=0).max())
+    return Leaves(low, low + (1 << powers), deepest)
+
+
+LOW_HALF = (1 << 32) - 1
+
+
+def _packed_leaves(word: bytes, lengths: tuple[int, ...]) -> Iterator[tuple[int, int, int]]:
+    """The leaves as integers: x and y, m_e and m_f from the bottom, 32 bits each, and 4 powers."""
+    pending = [(0, 0, sum(length << (8 * d) for d, length in enumerate(lengths)))]
     for symbol in word:
         if not pending:
             raise MalformedTree("the word goes on after the last leaf")
-        low, high, depth = pending.pop()
-        d = symbol - ord("1")
-        if d == -1:
-            lows.append(low)
-            highs.append(high)
-            deepest = max(deepest, depth)
-            filled += 1 << (4 * BITS - depth)
-        elif 0 <= d < 4:
-            if high[d] - low[d] <= ONE >> DEEPEST:
-                raise MalformedTree("a box is too small")
-            middle = (low[d] + high[d]) // 2
-            upper, lower = low.copy(), high.copy()
-            upper[d] = lower[d] = middle
-            pending += [(upper, high, depth + 1), (low, lower, depth + 1)]
-        else:
+        leaf = pending.pop()
+        if symbol == LEAF:
+            yield leaf
+            continue
+        d = symbol - LEAF - 1
+        if not 0 <= d < 4:
             raise MalformedTree(f"the word has the byte {symbol}")
+        first, second, powers = leaf
+        half = ((powers >> (8 * d)) & 255) - 1
+        if half < SMALLEST:
+            raise MalformedTree("a box is too small")
+        powers -= 1 << (8 * d)
+        step = 1 << (half + 32 * (d & 1))
+        upper = (first, second + step, powers) if d & 2 else (first + step, second, powers)
+        pending += (upper, (first, second, powers))
     if pending:
         raise MalformedTree("the word ends before the last leaf")
-    if filled != 1 << (4 * BITS):
-        raise MalformedTree("the leaves do not fill the box of all parameters")
-    return Leaves(
-        np.array(lows, dtype=np.int64).T.copy(), np.array(highs, dtype=np.int64).T.copy(), deepest
-    )

@@ -145,13 +145,14 @@ struct State {
     if (!wide(ux, uy, -1.0 * zx, -1.0 * zy)) return false;
     if (!wide(wx, wy, -1.0 * ux, -1.0 * uy)) return false;
     if (!wide(zx, zy, -1.0 * wx, -1.0 * wy)) return false;
-    if (HEIGHT > 0) {
+    if (HEIGHT > 0) {  // cross > h s follows from 2 l cross > h (s^2 + l^2), for any l > 0
       Form cross = ux * wy - uy * wx;
-      double low = cross.c - cross.rad();
-      if (low <= 0) return false;
       Form sides[3] = {ux * ux + uy * uy, wx * wx + wy * wy, zx * zx + zy * zy};
-      Form area = cross * cross;
-      for (auto& s : sides) { Form t = area - HEIGHT * HEIGHT * s; if (t.c - t.rad() <= MARGIN) return false; }
+      for (auto& s : sides) {
+        double l = std::sqrt(std::fabs(s.c));
+        Form t = 2 * l * cross - HEIGHT * s;
+        if (t.c - t.rad() - HEIGHT * l * l <= 1e-4) return false;
+      }
     }
     return true;
   }
