@@ -57,10 +57,15 @@ trusted.
    for f up, x + y <= 1 for f left, y <= 1/2 for f down, x <= y for f right.  Proved for the rules
    as written; tests compare the block program with the package's on random and threshold inputs.
 
-**What is not claimed.**  The shipped rule (`bern_exact.boundary.corners`) asks more of a corner
-than angles: edges of at least tau and heights of at least tau/sqrt 2.  No tree can show the
-latter, which is attained in the limit.  That a corner with all three always exists is open; where
-none does, the package takes the closest corner, and the checker reports the block.
+A second certificate shows a corner with all angles below 135 degrees and all heights above
+tau/2, which is what Theorems 2 and 3 count with.  (Faces whose vertices are all grid vertices
+are left out: squares of side 1, or halves of them.)
+
+**What is not claimed.**  The shipped rule (`bern_exact.boundary.corners`) asks more of a corner:
+angles of at most 135 degrees, edges of at least tau and heights of at least tau/sqrt 2.  The last
+is attained in the limit, so that no tree can show it.  That a corner with all three always exists
+is open; where none does, the package takes the closest corner, for which nothing is shown, and
+the checker reports the block.  All is for tau = 1/8 and blocks of 3 x 3 squares.
 """
 
 from proofs.lemma_2.statements import CHAPTER, statements

@@ -8,6 +8,7 @@ import numpy as np
 
 from proofs.lemma_2.forms import (
     BITS,
+    LIMIT,
     ONE,
     Form,
     bounded,
@@ -144,7 +145,8 @@ class Boxes:
         a = unturned(quarters, self.place(inner))
         b = unturned(quarters, Place(integer(node[0]), integer(node[1])))
         off_a, off_b = (p.x - self._at(q[1], p.y) for p in (a, b))
-        s = quotient(off_a, off_a - off_b, 0, ONE, None)
+        # Between 0 and 1, but that is not used: a corner that is not to be taken may be odd.
+        s = quotient(off_a, off_a - off_b, -LIMIT, LIMIT, None)
         x, y = (p + lowered(product(s, towards - p)) for p, towards in ((a.x, b.x), (a.y, b.y)))
         return unturned(-quarters % 4, Place(x, y))
 

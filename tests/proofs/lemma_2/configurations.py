@@ -14,6 +14,7 @@ from proofs.lemma_2.forms import ONE
 
 TAU = mpq(1, 8)
 
+# At tau exactly, too; through a grid vertex never.
 OFFSETS = [mpq(k, 8) for k in (-8, -7, -1, 0, 1, 7, 8)]
 
 
@@ -55,7 +56,9 @@ def _slope(random: Random, v: Vector) -> mpq:
     if random.randrange(3) == 0:
         return mpq(random.randrange(-996, 997), 997)
     k, level = random.randrange(-1, 3), random.choice((1, 2))
-    offset = random.choice(OFFSETS) + _hair(random)
+    offset = random.choice(OFFSETS)
+    if offset.denominator == 1 or random.randrange(4):
+        offset += _hair(random)
     if random.randrange(2):
         return (k + offset - v[0]) / (level - v[1])
     rise = level - 1 + abs(offset) - v[1]

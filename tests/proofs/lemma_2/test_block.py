@@ -51,6 +51,11 @@ def rays_of(polygon: Polygon, v: int) -> tuple[Vector, Vector, Vector]:
     return (x, y), (mpq(out[0]), mpq(out[1])), (mpq(into[0]), mpq(into[1]))
 
 
+def moved_to(c: Configuration, low: tuple[int, int], p: HPoint) -> Vector:
+    """A point in the frame in which e goes up."""
+    return unturned(c.quarters, (mpq(p[0], p[2]) - low[0], mpq(p[1], p[2]) - low[1]))
+
+
 def by_the_proof(c: Configuration, corner: Vector) -> list[Faces]:
     """The faces that the block program leaves: one set for each outcome."""
     made = block(c.cls, type_of(c, E, TAU), type_of(c, F, TAU))
@@ -62,25 +67,21 @@ def by_the_proof(c: Configuration, corner: Vector) -> list[Faces]:
     ]
 
 
-def agreements(polygon: Polygon, wanted: range | None = None) -> int:
+def agreements(polygon: Polygon) -> int:
     """How many corners of vertices agree; fails at the first that does not."""
     traced, tracer = trace(diced(polygon))
     rule = CornerRule(traced, tracer, TAU)
     framed = traced.diced.framed.polygon
     count = 0
-    for v in wanted or range(framed.n):
+    for v in range(framed.n):
         low = square_of(framed.points[v])
         c = configuration(*rays_of(framed, v))
-
-        def moved(p: HPoint, low: tuple[int, int] = low, c: Configuration = c) -> Vector:
-            return unturned(c.quarters, (mpq(p[0], p[2]) - low[0], mpq(p[1], p[2]) - low[1]))
-
         for candidate in rule._candidates(v):
             k, level = candidate.corner
             faces = frozenset(
                 face
                 for points in rule._block_faces_with(v, candidate)
-                for face in [from_least([moved(p) for p in points])]
+                for face in [from_least([moved_to(c, low, p) for p in points])]
                 if not is_whole_square(face)
             )
             assert faces in by_the_proof(c, (mpq(k - low[0]), mpq(level - low[1])))
@@ -132,3 +133,22 @@ def mirrored(cls: int, p: Vector) -> Vector:
     """The reflection that exchanges the directions of e and f."""
     x, y = p
     return {UP: (1 - x, y), LEFT: (1 - y, 1 - x), DOWN: (x, 1 - y), RIGHT: (y, x)}[cls]
+
+
+@pytest.mark.parametrize(("kind", "seed"), [("threshold", 24), ("maze", 0), ("star", 1)])
+def test_blocks_do_not_interact(kind: str, seed: int) -> None:
+    stages = drawn(kind, seed)
+    framed = stages.framed.polygon
+    by_vertex: dict[int, set[tuple[Vector, ...]]] = {v: set() for v in range(framed.n)}
+    for face in stages.boundary.faces:
+        if face.block >= 0:
+            c = configuration(*rays_of(framed, face.block))
+            low = square_of(framed.points[face.block])
+            points = [stages.warped.point_of(node) for node in face.ring]
+            ring = from_least([moved_to(c, low, p) for p in points])
+            if not is_whole_square(ring):
+                by_vertex[face.block].add(ring)
+    for v, faces in by_vertex.items():
+        c, low = configuration(*rays_of(framed, v)), square_of(framed.points[v])
+        k, level = stages.warped.corners[v]
+        assert faces in by_the_proof(c, (mpq(k - low[0]), mpq(level - low[1])))
