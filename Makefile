@@ -9,7 +9,7 @@ OUT := out
 NAME := south_africa
 POLYGON := examples/ne_south_africa_50m.json
 
-.PHONY: demo test lint types pytest clean
+.PHONY: demo test test-long lint types pytest clean
 .DELETE_ON_ERROR:
 
 demo: $(STAMP)
@@ -37,6 +37,10 @@ types: $(STAMP)
 
 pytest: $(STAMP)
 	$(BIN)/python -m pytest -n $(JOBS)
+
+# The largest real polygons through every theorem: minutes beside the suite.
+test-long: $(STAMP)
+	$(BIN)/python -m pytest -n $(JOBS) -m long
 
 # Made again whenever the list of dependencies may have changed.
 $(STAMP): pyproject.toml

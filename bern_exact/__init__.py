@@ -11,15 +11,21 @@ way, and an independent judge of finished meshes::
     result.save("plate.mesh.json")
 """
 
-from bern_exact.api import Result, triangulate
-from bern_exact.certificate import Certificate
-from bern_exact.checkers.findings import Finding, LemmaViolation
-from bern_exact.exact.errors import InputError
-from bern_exact.facts import Facts, facts_of
-from bern_exact.oracle.api import verify
-from bern_exact.oracle.verdict import Defect, Verdict
-from bern_exact.plane.mesh import Mesh
-from bern_exact.plane.polygon import Polygon
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from bern_exact.api import Result, triangulate
+    from bern_exact.certificate import Certificate
+    from bern_exact.checkers.findings import Finding, LemmaViolation
+    from bern_exact.exact.errors import InputError
+    from bern_exact.facts import Facts, facts_of
+    from bern_exact.oracle.api import verify
+    from bern_exact.oracle.verdict import Defect, Verdict
+    from bern_exact.plane.mesh import Mesh
+    from bern_exact.plane.polygon import Polygon
 
 __version__ = "0.1.0"
 
@@ -39,3 +45,36 @@ __all__ = [
     "triangulate",
     "verify",
 ]
+
+# Where the names are.  They are imported when they are asked for: the plugins for pytest and
+# Hypothesis are loaded by every run of these, and must cost nothing.
+_HOMES = {
+    "Certificate": "certificate",
+    "Defect": "oracle.verdict",
+    "Facts": "facts",
+    "Finding": "checkers.findings",
+    "InputError": "exact.errors",
+    "LemmaViolation": "checkers.findings",
+    "Mesh": "plane.mesh",
+    "Polygon": "plane.polygon",
+    "Result": "api",
+    "Verdict": "oracle.verdict",
+    "facts_of": "facts",
+    "triangulate": "api",
+    "verify": "oracle.api",
+}
+
+
+if not TYPE_CHECKING:  # or else type checkers would take any name
+
+    def __getattr__(name: str) -> Any:
+        """A public name, imported on first use."""
+        if name not in _HOMES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+        globals()[name] = value
+        return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -5,6 +5,8 @@ from __future__ import annotations
 import click
 
 from bern_exact import __version__
+from bern_exact.commands.convert import convert_command
+from bern_exact.commands.corpus import corpus_command, families_command
 from bern_exact.commands.facts import facts_command
 from bern_exact.commands.triangulate import triangulate_command
 from bern_exact.commands.verify import verify_command
@@ -16,5 +18,12 @@ def cli() -> None:
     """Triangulate polygons without large angles, exactly, every lemma checked on the way."""
 
 
-for command in (triangulate_command, verify_command, facts_command):
+for command in (
+    triangulate_command,
+    verify_command,
+    facts_command,
+    convert_command,
+    corpus_command,
+    families_command,
+):
     cli.add_command(command)

@@ -27,15 +27,7 @@ class Progress:
 
     def __init__(self, stages: int | None) -> None:
         self._listeners: list[StageListener] = []
-        self._bar = Bar(
-            SpinnerColumn(),
-            TextColumn("{task.description}"),
-            BarColumn(),
-            TimeElapsedColumn(),
-            console=Console(stderr=True),
-            transient=True,
-            disable=sys.stderr is None or not sys.stderr.isatty(),
-        )
+        self._bar = _bar()
         self._task = self._bar.add_task("reading", total=stages)
 
     def follow(self, listener: StageListener) -> None:
@@ -59,3 +51,46 @@ class Progress:
         trace: TracebackType | None,
     ) -> None:
         self._bar.stop()
+
+
+class Counting:
+    """A progress bar over things that are counted.
+
+    Parameters
+    ----------
+    total : int, optional
+        How many are expected, if that is known.
+    """
+
+    def __init__(self, total: int | None) -> None:
+        self._bar = _bar()
+        self._task = self._bar.add_task("begun", total=total)
+
+    def done(self, name: str, done: int, total: int) -> None:
+        """So many of so many are done, this one last."""
+        self._bar.update(self._task, completed=done, total=total, description=name)
+
+    def __enter__(self) -> Counting:
+        self._bar.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._bar.stop()
+
+
+def _bar() -> Bar:
+    """A bar on stderr, shown if that is a terminal."""
+    return Bar(
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TimeElapsedColumn(),
+        console=Console(stderr=True),
+        transient=True,
+        disable=sys.stderr is None or not sys.stderr.isatty(),
+    )

@@ -14,10 +14,9 @@ from rich.text import Text
 from bern_exact.certificate import Certificate
 from bern_exact.checkers.findings import Finding
 from bern_exact.comparison import Row
-from bern_exact.exact.numbers import parse_rational
 from bern_exact.facts import Facts
 from bern_exact.figures import degrees, digits_of, root, shortened
-from bern_exact.oracle.verdict import Verdict
+from bern_exact.oracle.verdict import Verdict, distance_words
 
 ANGLE_WORDS = ("up to 60", "90", "120", "135", "150", "above")
 """The classes of a verdict's triangles by their largest angle, in order."""
@@ -129,15 +128,12 @@ def _figure_lines(verdict: Verdict) -> list[str]:
 
 
 def _off_edge_line(off_edge: Mapping[str, Any]) -> str:
-    """How many boundary vertices are off their edges, and how far the furthest is."""
-    low, high = off_edge["ulps"]
-    ulps = low if low == high else f"{low} to {high}"
+    """How many boundary vertices are not where they belong, and how far the furthest is."""
     count = off_edge["vertices"]
     are = "vertex is" if count == 1 else "vertices are"
-    far = root(parse_rational(off_edge["distance_squared"]))
     return (
-        f"{count:,} boundary {are} off the polygon's edges, by at most {far} ({ulps} ulps),"
-        f" vertex {off_edge['vertex']} from edge {off_edge['polygon_edge']}"
+        f"{count:,} boundary {are} off the polygon, by at most {distance_words(off_edge)}:"
+        f" vertex {off_edge['vertex']}"
     )
 
 

@@ -22,7 +22,7 @@ hold as printed, each with the smallest exact counterexample that was found, and
 counterexample is checked anew by `python -m proofs`, with the package's own construction and
 checkers. This page is made by `python -m proofs.errata --write`; do not edit it.
 
-None of them touches the order of growth that a theorem claims. What is marked *open* is asserted
+With the repairs no order of growth that a theorem claims changes. What is marked *open* is asserted
 exactly on every run instead. Lemma 2's blocks have a proof of their own in `proofs/lemma_2/`.
 """
 

@@ -98,7 +98,8 @@ ERRATA: Sequence[Erratum] = (
         "A detailed case analysis shows that all faces can actually be triangulated with height "
         "almost b/8.",
         "printed.almost_an_eighth",
-        "The triangle (0, 1), (1, 0), (1, 2): a height of 0.116 b < b/8.",
+        "The triangle (1, 1), (2, 0), (4, 3): a face outside blocks with no triangulation of "
+        "a height above 0.091 b, next to b/(8 sqrt 2) = 0.088 b.",
         "An edge of length b/8 at 45 degrees to the longest edge of its triangle gives "
         "b/(8 sqrt 2).",
         "The bound is tau/sqrt 2, for blocks of 2 x 2 squares tau/2.",
@@ -144,7 +145,8 @@ ERRATA: Sequence[Erratum] = (
         "Height Omega(s) comes for free. [...] All slopes are bounded away from -1, so this "
         "property is preserved by the projection.",
         "printed.end_face_height",
-        "The triangle (0, 0), (2, 0), (2, 1): an end face of height 0.016 b; the infimum is 0.",
+        "The triangle (0, 0), (2, 0), (2, 1): an end face of height 0.016 b. (17, 15), (15, 19), "
+        "(0, 3), turned by the angle in `proofs/printed.py`: 0.00015 b.",
         "A projection can land next to the end of e; nothing keeps them apart.",
         "The first and the last diagonal may be left out; the fewest diagonals are drawn that "
         "keep both bounds.",
@@ -215,7 +217,7 @@ ERRATA: Sequence[Erratum] = (
         "Once we have bounced these subdivision points, all subdivision points are the sort that "
         "return to their own sides.",
         "printed.returning",
-        "The pentagon (0, 0), (2, 0), (3, 1), (1, 3), (0, 3).",
+        "The pentagon (0, 0), (1, 0), (3, 1), (1, 3), (0, 1).",
         "A path of the other sense can wind inward, meet the middle and turn there.",
         "What is pending in the middle is bounced at once, whenever it comes; paths of the sense "
         "that may turn go first.",
@@ -314,8 +316,18 @@ REMARKS: Sequence[tuple[str, str]] = (
         "row and on a column can be equally near to a grid vertex: the code turns P once more.",
     ),
     (
+        "Letters in Section 5.1",
+        "In the first recurrence the arguments of R are exchanged (R(l - 1, m) has l - 1 columns); "
+        "n/3 and m/3, of columns, mean k/3.",
+    ),
+    (
         "End faces of at most four sides",
         "No counterexample is known with all diagonals drawn (`printed.end_faces`, open).",
+    ),
+    (
+        "Blocks of 2 x 2 squares",
+        "They are no part of the paper. tau/sqrt 2 does not hold there: 0.624 tau is possible "
+        "(`section_2.corner_block_height`); tau/2 is asserted.",
     ),
     (
         "Where Theorem 4 pays",

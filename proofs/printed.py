@@ -16,16 +16,22 @@ from bern_exact.api import Result, triangulate
 from bern_exact.boundary.rotation import SMALL
 from bern_exact.checkers import bounds
 from bern_exact.checkers.as_printed import check_swept_as_printed
+from bern_exact.checkers.chords import Turns
 from bern_exact.checkers.definition_2 import check_definition_2
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_5 import check_lemma_5
 from bern_exact.checkers.lemma_6 import check_lemma_6_as_printed
 from bern_exact.checkers.lemma_10 import check_lemma_10_as_printed
 from bern_exact.checkers.lemma_11 import check_lemma_11_as_printed
+from bern_exact.checkers.printed_ends import best_height
 from bern_exact.checkers.printed_recursion import check_lemma_12_as_printed
+from bern_exact.checkers.rings import places_of
 from bern_exact.convex.block_records import Block, Blocks, Reduced
+from bern_exact.convex.bounce import bounce
 from bern_exact.convex.cells import Cells
+from bern_exact.convex.frame import convex_frame
 from bern_exact.convex.reduction import Lines, reduce_block
+from bern_exact.corpus.convex import occupied_spiral
 from bern_exact.exact.enclosures import decimal_enclosure
 from bern_exact.exact.points import hpoint
 from bern_exact.exact.similarity import Similarity
@@ -55,8 +61,9 @@ POLYGONS: dict[str, Sequence[Place]] = {
         ("25.56", "8.98"),
         ("3.63", "8.23"),
     ],
-    "thin-face": [(0, 1), (1, 0), (1, 2)],
+    "thin-face": [(1, 1), (2, 0), (4, 3)],
     "end-face": [(0, 0), (2, 0), (2, 1)],
+    "thinner-end-face": [(17, 15), (15, 19), (0, 3)],
     "end-face-bound": [
         (0, 0),
         ("150097/250", "44606/125"),
@@ -65,7 +72,7 @@ POLYGONS: dict[str, Sequence[Place]] = {
         (-2, 3),
     ],
     "reflex": [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)],
-    "returning": [(0, 0), (2, 0), (3, 1), (1, 3), (0, 3)],
+    "returning": [(0, 0), (1, 0), (3, 1), (1, 3), (0, 1)],
     "bounces": [(1, 1), (4, 0), (6, 0), (6, 8), (5, 8), (3, 6), (2, 4)],
 }
 """Polygons that refute a sentence."""
@@ -79,18 +86,21 @@ C_SHAPE = (
 )  # fmt: skip
 """A rectilinear polygon with the matching condition: the ends of its chords are vertices."""
 
+SPIRAL = 160
+"""Vertices of the spiral of the corpus on which many paths turn."""
+
 TALL = 2
 """The height of a face 1 wide that the zig-zag makes thin."""
 
 
-LOW_CORNER = "end-face-bound"
-"""The polygon whose place over the grid matters: the product turns by another angle."""
+TURNED = ("end-face-bound", "thinner-end-face")
+"""Polygons whose place over the grid matters: the product turns by another angle."""
 
 
 def polygon_of(name: str) -> Polygon:
     """A polygon, over the grid as it would be if the frame turned by 2 arctan(1/1024)."""
     points = [hpoint(mpq(x), mpq(y)) for x, y in POLYGONS[name]]
-    if name == LOW_CORNER:
+    if name in TURNED:
         frame = Similarity.rotation(mpq(1, SMALL))
         turn = Similarity.rotation(mpq(1, 1024)).then(frame.inverse())
         points = [turn.apply(p) for p in points]
@@ -170,8 +180,17 @@ def closest_corner() -> str:
 
 @CHAPTER.refuted("Lemma 2", "All faces can actually be triangulated with height almost b/8.")
 def almost_an_eighth() -> str:
-    """An edge of length tau at 45 degrees to the longest edge of its triangle: tau/sqrt 2."""
-    return on("thin-face", 1, "lemma-2.printed-height")
+    """An edge of length tau at 45 degrees to the longest edge of its triangle: tau/sqrt 2.
+
+    A face outside blocks, by the best of all its triangulations.
+    """
+    on("thin-face", 1, "lemma-2.printed-height")
+    mesh: Any = run("thin-face", 1).stages["boundary"]
+    places = places_of(mesh)
+    faces = [[places[node] for node in face.ring] for face in mesh.faces if face.block < 0]
+    best = min(best_height(ring) for ring in faces)
+    demand(bool(0 < best < mpq(91, 1000) ** 2 < bounds.TAU**2), "every triangulation of a face")
+    return f"(best height of a face/b)^2 = {_brief(best)}, less than 0.091^2; printed 1/64"
 
 
 @CHAPTER.refuted(
@@ -211,10 +230,16 @@ def zig_zag() -> str:
     return failing(found)
 
 
-@CHAPTER.refuted("Lemma 5", "In the end faces height (of order s) comes for free.")
+@CHAPTER.refuted(
+    "Lemma 5", "In the end faces height comes for free, of order s (at least b/5000, say)."
+)
 def end_face_height() -> str:
-    """A projection lands next to the end of e."""
-    return on("end-face", 2, "lemma-5.printed-end-height")
+    """A projection lands next to the end of e: as near as one likes, while s stays as it is."""
+    claims = run("thinner-end-face", 2).certificate.claims
+    thinner = mpq(str(named(claims, "lemma-5.printed-end-height").measured))
+    demand(bool(0 < thinner < mpq(1, 5000) ** 2), "less than b/5000")
+    found = on("end-face", 2, "lemma-5.printed-end-height")
+    return f"{found}; another triangle: {_brief(thinner)}"
 
 
 @CHAPTER.refuted(
@@ -309,8 +334,18 @@ def recursion(widths: Sequence[int], heights: Sequence[int]) -> Reduced:
     "Once those in the middle have been bounced, all subdivision points return to their own sides.",
 )
 def returning() -> str:
-    """A counter-clockwise path can meet the middle later, and turns there."""
-    return on("returning", 4, "bounce.printed-return")
+    """A counter-clockwise path can meet the middle later, and turns there.
+
+    Besides, on a spiral of the corpus with 160 vertices.
+    """
+    ring = [hpoint(x, y) for x, y in occupied_spiral(SPIRAL)[0]]
+    frame = convex_frame(polygon_from_rings([ring]))
+    turns = Turns(frame)
+    outside = [(x, side) for x, side in bounce(frame).first if turns.zone(x)]
+    lost = sum(turns.turn(x, side) is None for x, side in outside)
+    demand(lost == 63, f"{lost} on the spiral")
+    found = on("returning", 4, "bounce.printed-return")
+    return f"{found}; {lost} of {len(outside)} on occupied-spiral {SPIRAL}"
 
 
 @CHAPTER.refuted(

@@ -24,7 +24,7 @@ MODULES = (
     "proofs.theorem_4",
     "proofs.printed",
     "proofs.judge",
-    "proofs.float_filter",
+    "proofs.filters",
 )
 """Each has `statements(full)`, which does the work of one statement after the other."""
 

@@ -26,6 +26,46 @@ def degrees_of_arctan(tangent: mpq) -> tuple[mpq, mpq]:
     return 180 * low / pi[1], 180 * high / pi[0]
 
 
+@CHAPTER.proved(
+    "Definition 1",
+    "No triangulation of P, with any Steiner points, has all heights above s.",
+    "written proof",
+)
+def no_better_height() -> str:
+    """Let e be a shortest segment from a vertex v to an edge f not at v, or an edge of length s.
+
+    A triangle with a side of length at most s has height at most s: that covers an edge of P
+    of length s, and e beginning along an edge vx of the mesh with |vx| <= s.  If |vx| > s, e ends
+    inside vx at a point y of f.  Then vx runs along f, for else it would leave P or y would be a
+    vertex; so all of vx is on f, and v too: no.  Else e begins inside a triangle at v.  It does not
+    end there, since y is on the boundary of P; so it meets the opposite side, at most s away: the
+    altitude from v is at most s.  The height is the least altitude.
+    """
+    return "an altitude or a side of at most s"
+
+
+@CHAPTER.proved(
+    "Definition 1",
+    "s is the least of all edge lengths and all distances of a vertex from an edge not at it whose "
+    "shortest segment leaves the vertex within its wedge: visibility need not be tested.",
+    "written proof",
+)
+def no_visibility_test() -> str:
+    """Distances are within P.  Candidates are not below s, and s is one of them.
+
+    An edge uv: u is at most |uv| from the other edge at v.  A segment from v to y on f that
+    begins in the wedge either stays in P, or runs along an edge at v and beyond its end, which is
+    longer than that edge, or leaves P first at a point z of an edge not at v: then it is longer
+    than a way within P from v to that edge.  So no candidate is below s.
+
+    A shortest way from a vertex v to an edge f not at v is a segment, or bends at vertices.  If it
+    is a segment it begins in the wedge: a candidate.  If it bends, let u be the last one: it is not
+    on f, where the way would end, and what follows is a shorter way, of u.  So the least of all
+    ways is a candidate.
+    """
+    return "a blocked pair implies a smaller candidate"
+
+
 @CHAPTER.proved("Section 2, warping", "arctan((b/4)/b) < 14.04 degrees.", CERTIFICATE)
 def arctan_of_a_quarter() -> str:
     """Rational bounds of arctan(1/4) and of pi."""
@@ -187,22 +227,59 @@ def corners_of_a_face() -> str:
 
 @CHAPTER.proved(
     "Section 2, warping",
-    "At most two q-vertices of one edge choose the same grid vertex.",
-    "written proof",
+    "At most two q-vertices choose the same grid vertex outside blocks, or the same instance; they "
+    " are of one edge.",
+    IDENTITY,
 )
-def choosers_on_one_edge() -> str:
-    """They are where the edge meets the two grid lines through that vertex: one a line.
+def choosers() -> str:
+    """Those of one edge are where it meets the two grid lines through that vertex: one a line.
 
-    No edge is axis-parallel.  The same for an exterior instance, which is of one edge.
+    No edge is axis-parallel, and an instance is of one edge.  Suppose that q-vertices of two edges
+    are less than tau from a grid vertex g, within P'.  Edges without a common end are at least
+    s' > 2 tau apart.  If they meet at v, let phi and psi be the angles from vg to them through P',
+    phi + psi >= 90 degrees.  A distance within P' is |vg| sin phi, or |vg| if phi >= 90.  So the
+    greater of them is at least |vg| sin 45: |vg| < sqrt 2 tau < 1, and g is in the block of v.
     """
     demand(bounds.CHOOSERS == 2, "two grid lines")
-    return "one a grid line"
+    demand(bool(2 * bounds.TAU**2 < 1 and bounds_grid.FACTOR > 2 * bounds.TAU), "tau is small")
+    return "one a grid line; 2 tau^2 < 1"
 
 
-@CHAPTER.open("Section 2, warping", "At most two q-vertices choose the same grid vertex.")
-def choosers_of_two_edges() -> str:
+@CHAPTER.proved(
+    "Section 2, warping",
+    "All edges with no end in a block are at least b/8 = tau b long after warping, for tau <= 1/3.",
+    IDENTITY,
+)
+def least_edge() -> str:
+    """Grid vertices outside blocks move onto one edge of P' each (`choosers`), by at most tau.
+
+    - Between grid vertices, moved or not: at least 1 - 2 tau >= tau.
+    - From a grid vertex g to a q-vertex on e: if g moved, it moved onto e, where q merges with it.
+      So g stays and |qg| >= tau.  If q's anchor c moved, q is at a chooser q' of (e, c), less than
+      tau from c, which is at least 1 from g: at least 1 - tau.  Else q stays.
+    - Between q-vertices p and q of two edges: at least s' if these have no common end; else they
+      meet at v at 90 degrees or more within P', so |pq| >= |vp| >= 1, as p is in no block.
+    - Between nodes on e: they are at places of q-vertices.  On parallel grid lines: at least 1.  On
+      lines that cross at g: if either is less than tau from g, then g or its instance on e moves
+      onto e, and both merge with it.  Else they are at least sqrt 2 tau apart.
+    """
+    tau, rest = symbols("tau rest")
+    demand_equal(bounds.edge_squared(tau), tau**2, "edge_squared()")
+    third = sympy.Rational(1, 3) / (1 + rest)
+    for least in (1 - 2 * tau - tau, 1 - tau - tau):
+        demand_nonnegative(sympy.cancel(least.subs(tau, third) * (1 + rest)), "at least tau")
+    demand_nonnegative(2 * tau**2 - bounds.edge_squared(tau), "sqrt 2 tau")
+    demand(bool(bounds_grid.FACTOR > bounds.TAU), "s'")
+    return "1 - 2 tau, 1 - tau and sqrt 2 tau are at least tau"
+
+
+@CHAPTER.open(
+    "Section 2, warping",
+    "The same in blocks: at most two q-vertices choose one grid vertex, edges are at least tau.",
+)
+def choosers_in_blocks() -> str:
     """Both edges at a vertex may pass near a grid vertex of its block."""
-    return "proved for one edge; checked on every run (`warping`), never more seen"
+    return "checked on every run (`warping`, `lemma-2.block-edges`), never failed"
 
 
 @CHAPTER.open(

@@ -29,8 +29,8 @@ ROWS: Sequence[Sequence[str]] = (
     ),
     (
         "angles <= 90",
-        "<= 40.1 (54 n)^1.8475 + 54 n [6]; <= 324 n^2 + 54 n by bouncing",
-        "O(n^1.85) printed; O(n) later (Bern, Mitchell, Ruppert 1995)",
+        "<= 40.1 (54 n)^1.8475 + 54 n [6]; <= 324 n^2 + 54 n by bouncing; O(n) later",
+        "O(n^2) printed; O(n) later (Bern, Mitchell, Ruppert 1995)",
         "O(n^2) printed; O(n) later (Bern, Mitchell, Ruppert 1995)",
         "? printed; O(n^2.5) later (Bishop 2016)",
     ),
@@ -64,7 +64,7 @@ LATER = """Later results, for orientation only (nothing of them is implemented o
 | Bishop 2016, PSLG | O(n^2/epsilon^2) | at most 90 + epsilon degrees, any epsilon > 0 |
 
 With O(n) nonobtuse triangles for every polygon, Theorems 2 to 4 are no longer the best in order of
-growth; what they keep is the height within a constant of the best possible.
+growth; what Theorems 2 and 3 keep is the height within a constant of the best possible.
 """
 
 

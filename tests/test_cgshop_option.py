@@ -122,8 +122,8 @@ def test_the_format_may_be_named(hook: Path, thirds: Path) -> None:
     assert run("facts", thirds, "--from", "cgshop") == 3
     assert run("facts", hook, "--from", "json") == 3
     assert Polygon.load(hook) == Polygon.load(hook, format="cgshop") == read_polygon_file(hook)
-    with pytest.raises(ValueError, match="no polygon format 'wkt'"):
-        read_polygon_file(hook, format="wkt")
+    with pytest.raises(ValueError, match="no polygon format 'dxf'"):
+        read_polygon_file(hook, format="dxf")
 
 
 def test_the_same_bytes_every_time(hook: Path, tmp_path: Path) -> None:

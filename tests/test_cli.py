@@ -125,10 +125,8 @@ def test_the_picture(triangle: str, tmp_path: Path) -> None:
     assert svg.read_text().startswith("<svg")
 
 
-@pytest.mark.parametrize("suffix", [".off", ".ele", ".VTU"])
-def test_json_is_not_written_under_another_formats_name(
-    suffix: str, triangle: str, tmp_path: Path
-) -> None:
+@pytest.mark.parametrize("suffix", [".poly", ".wkt", ".GEOJSON"])
+def test_a_mesh_is_not_written_as_a_polygon(suffix: str, triangle: str, tmp_path: Path) -> None:
     target = tmp_path / f"mesh{suffix}"
     assert main(["triangulate", triangle, "--theorem", "1", "-o", str(target)]) == 2
     assert not target.exists()

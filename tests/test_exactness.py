@@ -23,15 +23,50 @@ DISPLAY: dict[str, str] = {}
 # Path -> the proved bound by which a float there may decide, and what decides beyond it.
 FILTERS: dict[str, str] = {
     "plane/array_mesh.py": "doubles next to exact coordinates, within 2^-52 of them",
+    "plane/text_points.py": "the same, of numbers that are still text",
+    "oracle/filters.py": "balls that hold the exact value: proofs/float_filter.py; then integers",
+    "oracle/estimates.py": "the same balls, of triangles",
 }
 
 # Path -> the modules named below that it may import, with the reason.
 MODULES_ALLOWED: dict[str, dict[str, str]] = {
-    "corpus/shapes.py": {"random": "integers from a seed"},
+    "corpus/bad.py": {"random": "integers from a seed"},
     "corpus/convex.py": {"random": "integers from a seed"},
+    "oracle/defects/__init__.py": {"random": "integers from a seed"},
+    "oracle/defects/sound.py": {"random": "integers from a seed"},
+    "corpus/convex_families.py": {"random": "integers from a seed"},
+    "corpus/draws.py": {"random": "integers from a seed"},
+    "corpus/extreme.py": {"random": "integers from a seed"},
+    "corpus/families.py": {"random": "integers from a seed"},
+    "corpus/family.py": {"random": "integers from a seed"},
+    "corpus/holes.py": {"random": "integers from a seed"},
+    "corpus/near_misses.py": {"random": "integers from a seed"},
+    "corpus/over_the_grid.py": {"random": "integers from a seed"},
+    "corpus/random_polygons.py": {"random": "integers from a seed"},
+    "corpus/shapes.py": {"random": "integers from a seed"},
+    "corpus/slender.py": {"random": "integers from a seed"},
+    "corpus/special.py": {"random": "integers from a seed"},
     "plane/array_mesh.py": {"numpy": "doubles that filter, indices"},
     "oracle/arguments.py": {"numpy": "arrays as users have them"},
     "oracle/boundary_rings.py": {"numpy": "indices"},
+    "formats/token_text.py": {"numpy": "words of large files; doubles nearest to decimals"},
+    "formats/triangle_mesh.py": {"numpy": "rows of words, indices"},
+    "formats/triangle_poly.py": {"numpy": "indices"},
+    "formats/off.py": {"numpy": "rows of words, indices"},
+    "formats/cursor.py": {"numpy": "words, by number"},
+    "formats/msh.py": {"numpy": "rows of words, indices"},
+    "formats/vtk.py": {"numpy": "indices"},
+    "formats/vtk_cells.py": {"numpy": "indices"},
+    "formats/vtu.py": {"numpy": "words, by number"},
+    "formats/meshio_files.py": {"numpy": "meshio's arrays of doubles, each exactly"},
+    "formats/obj.py": {"numpy": "rows of words, indices"},
+    "plane/text_points.py": {"numpy": "doubles that filter"},
+    "formats/mesh_json.py": {"numpy": "indices"},
+    "oracle/filters.py": {"numpy": "doubles that filter"},
+    "oracle/estimates.py": {"numpy": "doubles that filter"},
+    "oracle/incidence.py": {"numpy": "sorting"},
+    "oracle/lazy_points.py": {"numpy": "sorting"},
+    "oracle/filtered.py": {"numpy": "doubles compared with bounds, on the safe side"},
 }
 
 # Path -> how long it may be, for files that are longer than others.

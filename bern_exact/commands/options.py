@@ -10,10 +10,10 @@ from typing import Any
 import click
 
 from bern_exact.exact.errors import InputError
-from bern_exact.formats import POLYGON_FORMATS
+from bern_exact.formats import MESH_FORMATS, POLYGON_FORMATS
 
-FOREIGN = frozenset((".node", ".ele", ".poly", ".off", ".obj", ".msh", ".vtk", ".vtu"))
-"""Suffixes of formats that are not written: JSON under such a name would mislead."""
+ANY_FORMATS = tuple(dict.fromkeys((*POLYGON_FORMATS, *MESH_FORMATS)))
+"""Names of the formats of polygons and of meshes."""
 
 
 class Target(click.Path):
@@ -22,9 +22,6 @@ class Target(click.Path):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """The path, if its directory is there."""
         path = super().convert(value, param, ctx)
-        suffix = Path(os.fsdecode(path)).suffix.lower()
-        if suffix in FOREIGN:
-            self.fail(f"Writing '{suffix}' is not in this version; '.json' is.", param, ctx)
         directory = Path(os.fsdecode(path)).parent
         if not directory.is_dir():
             self.fail(f"Directory '{directory}' does not exist.", param, ctx)
@@ -47,6 +44,12 @@ from_option = click.option(
     "source_format",
     type=click.Choice(list(POLYGON_FORMATS)),
     help="The format of POLYGON, whatever its suffix.",
+)
+mesh_from_option = click.option(
+    "--from",
+    "source_format",
+    type=click.Choice(list(MESH_FORMATS)),
+    help="The format of MESH, whatever its suffix.",
 )
 output_option = click.option("-o", "--output", type=TARGET, help="Write the result to a file.")
 svg_option = click.option("--svg", type=TARGET, help="Draw the mesh.")

@@ -20,9 +20,17 @@ from bern_exact.commands.options import (
     parsed_by,
     svg_option,
 )
+from bern_exact.commands.writing import (
+    MESH_TARGETS,
+    files_of,
+    refuse_overwriting,
+    target_of_mesh,
+    write_mesh,
+    write_solution,
+)
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.numbers import parse_rational
-from bern_exact.formats import MESH_FORMATS, cgshop, format_of_mesh, read_instance_file, safe_json
+from bern_exact.formats import cgshop, read_instance_file
 from bern_exact.interior.subdivided.choice import Method
 from bern_exact.interior.sweep import TooManyTriangles
 from bern_exact.outputs import emit, emit_json, write_atomically
@@ -89,8 +97,8 @@ STAGES = 11
 @click.option(
     "--to",
     "target_format",
-    type=click.Choice(MESH_FORMATS),
-    help="The format of -o, whatever its suffix; .solution.json is cgshop.",
+    type=click.Choice(MESH_TARGETS),
+    help="The format of the mesh, whatever the suffix of -o; .solution.json is cgshop.",
 )
 @from_option
 @output_option
@@ -124,11 +132,15 @@ def triangulate_command(
     The mesh goes to stdout or the file of -o; with -o, stdout gets a summary.
     """
     shape = Polygon.load(polygon, numbers=numbers, format=source_format)
+    target = target_of_mesh(output, target_format)
     instance = None
-    if (target_format or (output and format_of_mesh(output))) == "cgshop":
-        instance = _instance(read_instance_file(polygon, format=source_format), shape, output)
-        if instance.made and output and _beside(output).resolve() == polygon.resolve():
-            raise click.UsageError(f"the instance would be written over '{polygon}'")
+    if output is not None:
+        files = files_of(output, target)
+        if target == "cgshop":
+            read = read_instance_file(polygon, format=source_format)
+            instance = read or cgshop.instance_of(shape, output.name.partition(".")[0])
+            files = files if instance.made else [output]
+        refuse_overwriting(files, polygon)
     tracer = Trace(trace) if trace else None
     with Progress(STAGES) as progress:
         if tracer:
@@ -160,53 +172,27 @@ def triangulate_command(
         write_atomically(svg, draw_triangulation(result.mesh, result.polygon, result.classes))
     if result.certificate.claims:
         print_claims(result.certificate.claims)
-    _hand_over(result, output, as_json, instance)
+    _hand_over(result, output, target, as_json, instance)
     return 0
 
 
-def _instance(
-    read: cgshop.Instance | None, polygon: Polygon, output: Path | None
-) -> cgshop.Instance:
-    """The CG:SHOP instance to be solved: the one that was read, or one made of the polygon."""
-    if output is None:
-        raise click.UsageError("--to cgshop needs -o FILE")
-    return read or cgshop.instance_of(polygon, output.name.partition(".")[0])
-
-
-def _beside(output: Path) -> Path:
-    """Where the instance of a solution is written."""
-    stem = output.name.removesuffix(".json").removesuffix(".solution")
-    return output.with_name(f"{stem}.instance.json")
-
-
-def _write_solution(result: Result, output: Path, instance: cgshop.Instance) -> None:
-    """The solution, and the instance if there was none."""
-    solution = cgshop.solution_document(result.mesh, instance)
-    write_atomically(output, safe_json.dumps(solution))
-    if not instance.made:
-        return
-    path = _beside(output)
-    write_atomically(path, safe_json.dumps(cgshop.instance_document(instance)))
-    click.echo(f"its instance, coordinates times {instance.scale}: {path}", err=True)
-    if instance.bits > cgshop.VERIFIER_BITS:
-        click.echo(
-            f"coordinates have up to {instance.bits} bits: the contest's verifier rounds them to "
-            "doubles",
-            err=True,
-        )
-
-
 def _hand_over(
-    result: Result, output: Path | None, as_json: bool, instance: cgshop.Instance | None
+    result: Result,
+    output: Path | None,
+    target: str,
+    as_json: bool,
+    instance: cgshop.Instance | None,
 ) -> None:
     """The mesh to its file and a summary to stdout, or the mesh itself to stdout."""
-    if output is None:
-        emit(result.document)
-        return
-    if instance is not None:
-        _write_solution(result, output, instance)
+    if instance is not None and output is not None:
+        write_solution(result.mesh, output, instance)
     else:
-        write_atomically(output, result.document)
+        document = result.document if target == "json" else None
+        write_mesh(
+            result.mesh, result.polygon, output, target, document=document, classes=result.classes
+        )
+    if output is None:
+        return
     if as_json:
         emit_json({"output": str(output), "certificate": result.certificate.to_json()})
     else:

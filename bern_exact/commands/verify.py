@@ -10,6 +10,7 @@ from gmpy2 import mpq
 from bern_exact.commands.options import (
     SOURCE,
     json_option,
+    mesh_from_option,
     numbers_option,
     output_option,
     parsed_by,
@@ -18,20 +19,20 @@ from bern_exact.commands.options import (
 from bern_exact.comparison import Row, compare
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.numbers import parse_rational
-from bern_exact.formats import read_mesh_file
+from bern_exact.formats import read_array_mesh_file
 from bern_exact.oracle.api import verdict_on
 from bern_exact.oracle.verdict import Verdict
 from bern_exact.outputs import emit, emit_json, write_atomically
-from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
 from bern_exact.progress import Progress
 from bern_exact.report import comparison_lines, verdict_lines
-from bern_exact.view.triangulation import draw_triangulation
+from bern_exact.view.defects import draw_verdict
 
 
 @click.command("verify")
 @click.argument("mesh", type=SOURCE)
 @click.option("--polygon", type=SOURCE, help="What it should triangulate.")
+@mesh_from_option
 @click.option(
     "--max-angle", callback=parsed_by(parse_angle_bound), help="Degrees (149.5) or cos:S:p/q."
 )
@@ -57,6 +58,7 @@ from bern_exact.view.triangulation import draw_triangulation
 def verify_command(
     mesh: Path,
     polygon: Path | None,
+    source_format: str | None,
     max_angle: AngleBound | None,
     min_height_squared: mpq | None,
     max_triangles: int | None,
@@ -72,7 +74,9 @@ def verify_command(
 
     Exit code 0 if it is and keeps every bound asked for, 1 if not.
     """
-    found, own = read_mesh_file(mesh, binary64=numbers == "binary64")
+    found, own = read_array_mesh_file(
+        mesh, binary64=numbers == "binary64", format=source_format, polygon_path=polygon
+    )
     target = Polygon.load(polygon, numbers=numbers) if polygon else own
     for option, given in (("--tolerance", tolerance is not None), ("--compare", compared)):
         if given and target is None:
@@ -87,7 +91,7 @@ def verify_command(
         limit=limit,
     )
     if svg:
-        _draw_if_possible(svg, found, target)
+        write_atomically(svg, draw_verdict(found.mesh, target, verdict))
     rows = _compared(verdict, target) if compared and target else ()
     record = verdict.to_json()
     if compared:
@@ -108,11 +112,3 @@ def _compared(verdict: Verdict, polygon: Polygon) -> tuple[Row, ...]:
     """The mesh beside ours."""
     with Progress(None) as progress:
         return compare(verdict, polygon, observer=progress)
-
-
-def _draw_if_possible(svg: Path, mesh: Mesh, polygon: Polygon | None) -> None:
-    """Draw a mesh that anybody made; one whose indices are out of range has no picture."""
-    if all(0 <= i < len(mesh.vertices) for corners in mesh.triangles for i in corners):
-        write_atomically(svg, draw_triangulation(mesh, polygon))
-    else:
-        click.echo("no picture: a triangle's vertex does not exist", err=True)

@@ -11,6 +11,7 @@ from random import Random
 
 from gmpy2 import mpq, mpz, sign
 
+from bern_exact.corpus.draws import beside, distinct, pick, shuffle
 from bern_exact.corpus.shapes import SIZE
 
 Rational = int | mpq
@@ -60,7 +61,7 @@ def random_hull(n: int, seed: int = 0) -> Rings:
     Edges of very different lengths, in no order.
     """
     random = Random(seed)
-    places = [circle_point(i, TURNS) for i in random.sample(range(TURNS), n)]
+    places = [circle_point(i, TURNS) for i in distinct(random, TURNS, n)]
     return [hull([(int(x * 2**20), int(y * 2**20)) for x, y in places])]
 
 
@@ -119,7 +120,7 @@ def clustered_spiral(n: int, seed: int = 0) -> Rings:
     k = n - 4
     for i in range(1, k + 1):
         bend = mpq(i * (2 * k + 2 - i), 10**6 * (k + 1) ** 2)
-        found.append(_beside(top, right, mpq(i, 100 * (k + 1)), bend))
+        found.append(beside(top, right, mpq(i, 100 * (k + 1)), bend))
     return [hull(found)]
 
 
@@ -142,15 +143,8 @@ def occupied_spiral(n: int, seed: int = 0) -> Rings:
     found: list[Place] = [*ends.values(), *tops.values()]
     for side, part in placed:
         t = part * mpq(19, 20)
-        found.append(_beside(ends[side], tops[side], t, -t * (1 - t) / 10**7))
+        found.append(beside(ends[side], tops[side], t, -t * (1 - t) / 10**7))
     return [hull([(int(10**18 * x), int(10**18 * y)) for x, y in found])]
-
-
-def _beside(start: Place, end: Place, along: mpq, aside: mpq) -> Place:
-    """The point at a part of the way, moved to the left by a part of the edge's length."""
-    (px, py), (qx, qy) = start, end
-    dx, dy = qx - px, qy - py
-    return px + along * dx - aside * dy, py + along * dy + aside * dx
 
 
 def needle(n: int, seed: int = 0, aspect: int = 10**6) -> Rings:
@@ -172,7 +166,7 @@ def random_convex(n: int, seed: int = 0) -> Rings:
     """
     random = Random(seed)
     xs, ys = (_random_steps(n, random) for _ in range(2))
-    random.shuffle(ys)
+    shuffle(random, ys)
     ring: list[Place] = []
     x = y = 0
     for dx, dy in sorted(zip(xs, ys, strict=True), key=cmp_to_key(_compare_directions)):
@@ -183,10 +177,10 @@ def random_convex(n: int, seed: int = 0) -> Rings:
 
 def _random_steps(n: int, random: Random) -> list[int]:
     """n integers other than 0 with the sum 0: the steps of two walks to the right, one turned."""
-    marks = sorted(random.sample(range(SIZE), n))
+    marks = sorted(distinct(random, SIZE, n))
     steps, last = [], {1: marks[0], -1: marks[0]}
     for mark in marks[1:-1]:
-        way = random.choice((1, -1))
+        way = pick(random, (1, -1))
         steps.append(way * (mark - last[way]))
         last[way] = mark
     return [*steps, marks[-1] - last[1], last[-1] - marks[-1]]

@@ -127,7 +127,7 @@ def spiral(n: int, seed: int = 0) -> list[Ring]:
     Meant to break whatever takes the plane's nearness for nearness inside the polygon.
     """
     random = Random(seed)
-    middle = list(_spiral_path(max(2, n // 2 - 1)))
+    middle = list(spiral_path(max(2, n // 2 - 1)))
     outer, inner = [], []
     for i, (x, y) in enumerate(middle):
         ax, ay = STEPS[(i - 1) % 4] if i else STEPS[0]
@@ -139,7 +139,7 @@ def spiral(n: int, seed: int = 0) -> list[Ring]:
     return [outer + inner[::-1]]
 
 
-def _spiral_path(turns: int) -> Iterator[Point]:
+def spiral_path(turns: int) -> Iterator[Point]:
     """The middle line of a square spiral."""
     x = y = 0
     yield x, y

@@ -64,3 +64,18 @@ def comb(teeth: int, aspect: int) -> list[Ring]:
     for x in range(2 * teeth - 2, -1, -2):
         ring += [(x + 1, aspect), (x, aspect), (x, 0), (x - 1, 0)]
     return [ring[:-2]]
+
+
+def needles(n: int, length: int) -> Ring:
+    """A comb of about n/2 triangular needles side by side, each 2 wide and `length` long.
+
+    Meant to break what is done at acute corners: each tip has its own tiny angle.
+
+    >>> needles(6, 10)
+    [(0, 0), (4, 0), (4, 1), (3, 11), (2, 1), (1, 10), (0, 1)]
+    """
+    count = max(n // 2 - 1, 1)
+    ring = [(0, 0), (2 * count, 0), (2 * count, 1)]
+    for i in reversed(range(count)):
+        ring += [(2 * i + 1, length + i % 7), (2 * i, 1)]
+    return ring

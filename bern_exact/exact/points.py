@@ -62,6 +62,16 @@ def coordinates(p: HPoint) -> tuple[mpq, mpq]:
     return mpq(p[0], p[2]), mpq(p[1], p[2])
 
 
+def literal(p: HPoint) -> tuple[int | str, int | str]:
+    """The coordinates as they are typed: integers, and fractions as text.
+
+    >>> literal(hpoint(2, mpq(1, 3)))
+    (2, '1/3')
+    """
+    x, y = (int(c) if c.denominator == 1 else str(c) for c in coordinates(p))
+    return x, y
+
+
 def direction(p: HPoint, q: HPoint) -> Vector:
     """A positive integer multiple of q - p (the multiple is p.W * q.W)."""
     px, py, pw = p

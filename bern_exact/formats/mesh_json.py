@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import chain
 from typing import Any
+
+import numpy as np
 
 from bern_exact.exact.numbers import JsonNumber, json_kind, rational_from_json
 from bern_exact.formats import fields, safe_json
 from bern_exact.formats.polygon_json import dump_polygon, point_texts, read_polygon
+from bern_exact.plane.array_mesh import ArrayMesh, Indices, Points
 from bern_exact.plane.mesh import Mesh, Triangle
 from bern_exact.plane.polygon import Polygon
+from bern_exact.plane.text_points import points_of_numbers
 
 FORMAT = "bern-exact/mesh"
 
@@ -56,6 +61,66 @@ def read_mesh(document: Any, *, binary64: bool = False) -> tuple[Mesh, Polygon |
     if polygon is None:
         return mesh, None
     return mesh, read_polygon(polygon, binary64=binary64, path="$.polygon")
+
+
+def load_array_mesh(
+    source: safe_json.Source, *, binary64: bool = False
+) -> tuple[ArrayMesh, Polygon | None]:
+    """`load_mesh`, into arrays: for a million triangles."""
+    return read_array_mesh(safe_json.load(source), binary64=binary64)
+
+
+def read_array_mesh(document: Any, *, binary64: bool = False) -> tuple[ArrayMesh, Polygon | None]:
+    """The mesh of a JSON document in arrays, and its polygon if it has one.
+
+    Parameters, refusals and what is read are those of `read_mesh`.
+
+    Notes
+    -----
+    Linear; vertices and triangles are looked at all at once, and one by one only where something
+    is unusual, or to be refused.
+    """
+    document = fields.as_object(document, "$")
+    fields.check_format(document, FORMAT, "$")
+    points = _points_at_once(document.get("vertices"), binary64=binary64)
+    triangles = _triangles_at_once(document.get("triangles"))
+    if points is None or triangles is None:
+        mesh, polygon = read_mesh(document, binary64=binary64)
+        return ArrayMesh.of_mesh(mesh), polygon
+    polygon = document.get("polygon")
+    if polygon is None:
+        return ArrayMesh(points, triangles), None
+    polygon = read_polygon(polygon, binary64=binary64, path="$.polygon")
+    return ArrayMesh(points, triangles), polygon
+
+
+def _points_at_once(value: Any, *, binary64: bool) -> Points | None:
+    """The points of an array of `[x, y]`; None if it is better read one by one."""
+    if not _are_rows(value, 2):
+        return None
+    return points_of_numbers(list(chain.from_iterable(value)), binary64=binary64)
+
+
+def _triangles_at_once(value: Any) -> Indices | None:
+    """The triangles of an array of three integers each; None if it is better read one by one."""
+    if not _are_rows(value, 3):
+        return None
+    flat = list(chain.from_iterable(value))
+    if not set(map(type, flat)) <= {int}:
+        return None
+    try:
+        return np.fromiter(flat, dtype=np.int64, count=len(flat)).reshape(-1, 3)
+    except OverflowError:
+        return None
+
+
+def _are_rows(value: Any, length: int) -> bool:
+    """Is this an array of arrays of this length?"""
+    return (
+        isinstance(value, list)
+        and set(map(type, value)) <= {list}
+        and set(map(len, value)) <= {length}
+    )
 
 
 def _triangle(value: Any, number: int) -> Triangle:

@@ -8,11 +8,12 @@ that is too deep, too long, binary or not UTF-8.
 from __future__ import annotations
 
 import codecs
+import gc
 import json
 import os
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import IO, Any, NoReturn
 
 from bern_exact.exact.errors import InputError
@@ -72,7 +73,7 @@ def loads(data: str | bytes) -> Any:
     if not text.strip(" \t\r\n"):
         raise InputError("syntax", "the file is empty")
     try:
-        return _DECODER.decode(text)
+        return _decode(text)
     except json.JSONDecodeError as error:
         where = {"line": error.lineno, "column": error.colno}
         message = f"not JSON: {error.msg} at line {error.lineno}, column {error.colno}"
@@ -81,6 +82,23 @@ def loads(data: str | bytes) -> Any:
         raise InputError("syntax", "the JSON is nested too deeply") from None
     except _NotFinite:
         raise _not_finite(text) from None
+
+
+def _decode(text: str) -> Any:
+    """The JSON value of a text, as fast as the standard library's reader goes.
+
+    Nothing that a reader makes becomes garbage before it ends, so that collecting would be in
+    vain; for a million triangles it takes as long as the reading.
+    """
+    block = JSON_INT_DIGITS // 2  # whoever is longer than JSON_INT_DIGITS fills one such block
+    long = any(text[i : i + block].isdigit() for i in range(0, len(text), block))
+    was_collecting = gc.isenabled()
+    gc.disable()
+    try:
+        return (_DECODER if long else _SHORT_DECODER).decode(text)
+    finally:
+        if was_collecting:
+            gc.enable()
 
 
 def _read(stream: IO[bytes] | IO[str]) -> str | bytes:
@@ -148,12 +166,17 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return result
 
 
-_DECODER = json.JSONDecoder(
-    parse_float=JsonNumber,
-    parse_int=_integer,
-    parse_constant=_refuse_constant,
-    object_pairs_hook=_object,
-)
+def _decoder(parse_int: Callable[[str], Any] | None) -> json.JSONDecoder:
+    """A reader that is told how to read integers; by itself as `int`, without a call for each."""
+    return json.JSONDecoder(
+        parse_float=JsonNumber,
+        parse_int=parse_int,
+        parse_constant=_refuse_constant,
+        object_pairs_hook=_object,
+    )
+
+
+_DECODER, _SHORT_DECODER = _decoder(_integer), _decoder(None)
 
 
 def dumps(document: Any) -> str:

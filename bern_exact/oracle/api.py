@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -11,16 +11,18 @@ from gmpy2 import mpq
 
 from bern_exact.exact.angle_bound import AngleBound
 from bern_exact.exact.errors import InputError
-from bern_exact.exact.points import HPoint
 from bern_exact.oracle.arguments import angle_of, exact, mesh_of, polygon_of
-from bern_exact.oracle.boundary_rings import boundary_rings
-from bern_exact.oracle.departures import Departure, beyond, departures, furthest, nearest
 from bern_exact.oracle.fast import verify_mesh
-from bern_exact.oracle.verdict import Defect, Verdict, point_json
-from bern_exact.plane.array_mesh import ArrayMesh, Indices, index_array
+from bern_exact.oracle.filtered import verify_arrays
+from bern_exact.oracle.tolerance import with_departures
+from bern_exact.oracle.verdict import Verdict
+from bern_exact.plane.array_mesh import ArrayMesh
 from bern_exact.plane.feature_size import feature_size
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
+
+MANY = 300
+"""So many triangles are judged by the filtered judge, which takes 2 ms to get going."""
 
 
 def verify(
@@ -57,7 +59,8 @@ def verify(
         There may be no more triangles.
     tolerance : number, optional
         Accept boundary vertices that are at most so far from their edges of the polygon; every
-        other test stays exact.  The verdict is then true if `within_tolerance` is.
+        other test stays exact.  A float is read as the decimal that it prints as.  The verdict is
+        then true if `within_tolerance` is.
     limit : int
         How many defects are listed.
 
@@ -90,13 +93,19 @@ def verify(
         max_angle=angle_of(max_angle),
         min_height_squared=_exact_or_none(min_height_squared, "min_height_squared"),
         max_triangles=max_triangles,
-        tolerance=_exact_or_none(tolerance, "tolerance"),
+        tolerance=_distance(tolerance),
         limit=limit,
     )
 
 
 def _exact_or_none(value: Any, place: str) -> mpq | None:
     return None if value is None else exact(value, place)
+
+
+def _distance(tolerance: Any) -> mpq | None:
+    """A tolerance; a float is read as the decimal that it prints as, as an angle is."""
+    written = str(tolerance) if isinstance(tolerance, float) else tolerance
+    return _exact_or_none(written, "tolerance")
 
 
 def verdict_on(
@@ -124,8 +133,8 @@ def verdict_on(
         raise InputError("number", f"the tolerance {tolerance} is negative")
 
     def judge(polygon: Polygon | None) -> Verdict:
-        return verify_mesh(
-            mesh if isinstance(mesh, Mesh) else mesh.mesh,
+        return _judge(
+            mesh,
             polygon,
             max_angle=max_angle,
             min_height_squared=min_height_squared,
@@ -137,79 +146,20 @@ def verdict_on(
     if polygon is None:
         return verdict
     if not verdict.valid:
-        verdict = _with_departures(verdict, mesh, polygon, judge, tolerance, limit)
+        verdict = with_departures(verdict, mesh, polygon, judge, tolerance, limit)
     elif tolerance is not None:
         verdict = replace(verdict, within_tolerance=True)
     return replace(
         verdict,
         tolerance=tolerance,
-        within_tolerance=True
-        if tolerance is not None and verdict.valid
-        else verdict.within_tolerance,
         feature_size_squared=feature_size(polygon).squared,
         polygon_vertices=polygon.n,
     )
 
 
-def _with_departures(
-    verdict: Verdict,
-    mesh: Mesh | ArrayMesh,
-    polygon: Polygon,
-    judge: Callable[[Polygon | None], Verdict],
-    tolerance: mpq | None,
-    limit: int,
-) -> Verdict:
-    """The verdict on a mesh that is not valid, with the distances of what is off its edge.
-
-    Within a tolerance is a mesh that is a triangulation of what its own boundary encloses, shown
-    exactly, if that boundary runs through the polygon's vertices and along its edges.
-    """
-    found, point = None, _points_of(mesh)
-    rings = boundary_rings(*_indices_of(mesh))
-    if rings is not None:
-        found = departures(rings, point, polygon)
-    if found:
-        verdict = replace(verdict, off_edge=furthest(found))
-    if tolerance is None:
-        return _explained(verdict, found, point, polygon)
-    if found is None:
-        return replace(_explained(verdict, found, point, polygon), within_tolerance=False)
-    alone = judge(None)
-    within = alone.valid and next(beyond(found, tolerance), None) is None
-    listed = (*map(_off_edge_defect, found[:limit]), *alone.defects)
-    return replace(verdict, defects=listed[:limit], within_tolerance=within)
-
-
-def _explained(
-    verdict: Verdict,
-    found: list[Departure] | None,
-    point: Callable[[int], HPoint],
-    polygon: Polygon,
-) -> Verdict:
-    """The verdict with the distance of each listed vertex that is off its edge."""
-    known = {departure.vertex: departure for departure in reversed(found or [])}
-    defects = []
-    for defect in verdict.defects:
-        if defect.kind == "boundary-vertex-off-edge":
-            v = defect.where["vertex"]
-            defect = _off_edge_defect(known.get(v) or nearest(v, point(v), polygon))
-        defects.append(defect)
-    return replace(verdict, defects=tuple(defects))
-
-
-def _off_edge_defect(departure: Departure) -> Defect:
-    """The defect of a boundary vertex that is off its edge."""
-    witness = {"point": point_json(departure.point), **departure.to_json()}
-    return Defect.of("boundary-vertex-off-edge", {"vertex": departure.vertex}, witness)
-
-
-def _points_of(mesh: Mesh | ArrayMesh) -> Callable[[int], HPoint]:
-    """The point of a vertex, exactly."""
-    return mesh.points.point if isinstance(mesh, ArrayMesh) else mesh.vertices.__getitem__
-
-
-def _indices_of(mesh: Mesh | ArrayMesh) -> tuple[Indices, int]:
-    """The triangles as an array, and the number of vertices."""
-    if isinstance(mesh, ArrayMesh):
-        return mesh.triangles, len(mesh.points)
-    return index_array(mesh.triangles), len(mesh.vertices)
+def _judge(mesh: Mesh | ArrayMesh, polygon: Polygon | None, **bounds: Any) -> Verdict:
+    """The verdict of the judge that is faster; both say the same."""
+    if len(mesh.triangles) < MANY:
+        return verify_mesh(mesh if isinstance(mesh, Mesh) else mesh.mesh, polygon, **bounds)
+    arrays = mesh if isinstance(mesh, ArrayMesh) else ArrayMesh.of_mesh(mesh)
+    return verify_arrays(arrays, polygon, **bounds)

@@ -22,11 +22,9 @@ from bern_exact.exact.points import (
     reduced,
 )
 from bern_exact.exact.predicates import cross, dot, orientation
+from bern_exact.oracle.side_sweep import Side, enclose_once
 from bern_exact.oracle.verdict import Findings, point_json
 from bern_exact.plane.polygon import Polygon
-
-Side = tuple[int, int, int]
-"""Tail, head, and how much more often the edge is used than its reverse."""
 
 Place = dict[str, Any]
 """A place as a defect has it, such as `{"edge": [3, 5]}`."""
@@ -39,6 +37,10 @@ Stretch = tuple[HPoint, HPoint, int, Place]
 
 Spot = tuple[HPoint, Vector, Vector]
 """(m, d, n): the point m + e n + e^2 d for all small e > 0."""
+
+
+class PointSet(Sequence[HPoint]):
+    """Points of which it is told quickly whether one is among them."""
 
 
 def look_at_sides(
@@ -65,7 +67,7 @@ def look_at_sides(
     for p, q, times, place in outline:
         lines[_line(p, q)].append((p, q, times, place))
     if polygon is not None:
-        corners = set(vertices)
+        corners = vertices if isinstance(vertices, PointSet) else set(vertices)
         for p, (_, _, _, place) in zip(polygon.points, outline, strict=True):
             if p not in corners:
                 where = {"polygon_vertex": place["polygon_edge"]}
@@ -138,6 +140,8 @@ def _name_what_is_wrong(
     found: Findings,
 ) -> None:
     """Defects where sides are not the polygon's boundary (without a polygon: if they are amiss)."""
+    if polygon is None and enclose_once(vertices, sides):
+        return
     clashes = conflicts(vertices, sides)
     for kind, i, j in clashes:
         edge = list(sides[i][:2])
@@ -149,7 +153,7 @@ def _name_what_is_wrong(
             found.add(kind, {"edge": edge}, {"other": list(sides[j][:2])})
     if polygon is not None:
         ends = {u for p, q, net, _ in wrong if net for u in (p, q)}
-        _name_vertices_off_edges(vertices, ends, outline, found)
+        _name_vertices_off_edges(vertices, sides, ends, outline, found)
     directed = [(vertices[a], vertices[b], times) for a, b, times in sides]
     if polygon is None and not clashes and _is_covered_once(vertices, sides, directed):
         return
@@ -173,17 +177,20 @@ def _name_what_is_wrong(
 
 
 def _name_vertices_off_edges(
-    vertices: Sequence[HPoint], ends: set[HPoint], outline: Sequence[Piece], found: Findings
+    vertices: Sequence[HPoint],
+    sides: Sequence[Side],
+    ends: set[HPoint],
+    outline: Sequence[Piece],
+    found: Findings,
 ) -> None:
     """Those of the ends of wrong stretches that lie on no edge of the polygon."""
     boxes = [_box(coordinates(p), coordinates(q)) for p, q, _, _ in outline]
-    seen: set[HPoint] = set()
-    for v, point in enumerate(vertices):
+    for v in sorted({v for side in sides for v in side[:2]}):
+        point = vertices[v]
         if found.full:
             break
-        if point not in ends or point in seen:
+        if point not in ends:
             continue
-        seen.add(point)
         x, y = coordinates(point)
         if not any(
             left <= x <= right and low <= y <= high and orientation(p, q, point) == 0

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from gmpy2 import mpq
 
 from bern_exact.exact.angles import Angle
-from bern_exact.exact.enclosures import decimal_enclosure, degrees_enclosure
+from bern_exact.exact.enclosures import decimal_enclosure, degrees_enclosure, sqrt_enclosure
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.exact.points import HPoint, coordinates
 
@@ -77,10 +78,7 @@ class Defect:
         """
         words = DEFECTS[self.kind]
         if "distance" in self.witness:
-            low, _ = self.witness["distance"]
-            _, ulps = self.witness["ulps"]
-            edge = self.witness["polygon_edge"]
-            words += f": {low}... or less than {ulps} ulps from edge {edge}"
+            words += f": {distance_words(self.witness)}"
         return f"{self.message} ({words})"
 
     def to_json(self) -> dict[str, Any]:
@@ -91,6 +89,19 @@ class Defect:
             "message": self.message,
             "witness": self.witness,
         }
+
+
+def distance_words(witness: Mapping[str, Any]) -> str:
+    """How far a vertex is from where it belongs, in a few words.
+
+    >>> distance_words({"polygon_edge": [0, 7], "distance": ["0.25", "0.25"], "ulps": ["9", "9.1"]})
+    '0.25 (at most 9.1 ulps) from edge [0, 7]'
+    """
+    low, high = witness["distance"]
+    shown = low if low == high else f"{low[:8]}...{low[len(low.partition('e')[0]) :]}"
+    edge, corner = witness.get("polygon_edge"), witness.get("polygon_vertex")
+    place = f"edge {edge}" if corner is None else f"the polygon's vertex {corner}"
+    return f"{shown} (at most {witness['ulps'][1]} ulps) from {place}"
 
 
 class Findings:
@@ -142,14 +153,14 @@ class Verdict:
     angle_classes : dict
         The number of triangles in each of `ANGLE_CLASSES`.
     within_tolerance : bool or None
-        Whether the mesh is valid but for boundary vertices at most `tolerance` off their edges of
-        the polygon; None if that was not asked.
+        Whether the mesh is valid but for boundary vertices at most `tolerance` off their edges or
+        vertices of the polygon; None if that was not asked.
     tolerance : mpq or None
         The distance that was asked.
     off_edge : dict or None
-        How many boundary vertices are off their edges, and the one that is by most: `vertices`,
-        `vertex`, `point`, `polygon_edge`, `distance_squared`, `distance`, `ulps`.  None if there is
-        none, or it is not known which edge is whose; see `departures`.
+        How many boundary vertices are not where they belong, and the one that is furthest:
+        `vertices`, `vertex`, `point`, `polygon_edge` or `polygon_vertex`, `distance_squared`,
+        `distance`, `ulps`.  None if there is none, or it is not known where; see `departures`.
     feature_size_squared : mpq or None
         s^2 of the polygon (Definition 1); None without a polygon or from a judge alone.
     polygon_vertices : int or None
@@ -210,7 +221,9 @@ class Verdict:
         if self.max_angle is not None and self.min_height_squared is not None:
             low, high = degrees_enclosure(self.max_angle)
             angle = low if low == high else f"{low}..{high}"
-            lines[0] += f", largest angle {angle}, least squared height {self.min_height_squared}"
+            low, high = sqrt_enclosure(self.min_height_squared, 6)
+            height = low if low == high else f"{low}..{high}"
+            lines[0] += f", largest angle {angle}, least height {height}"
         lines += [f"  {defect.sentence}" for defect in self.defects[:5]]
         if len(self.defects) > 5:
             lines.append("  ...")

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
+from typing import Any
 
 from gmpy2 import mpq
 
 from bern_exact.exact.errors import InputError
-from bern_exact.exact.points import HPoint, Line, line_through
+from bern_exact.exact.points import HPoint, Line, coordinates, line_through, literal
 
 
 @dataclass(frozen=True)
@@ -52,10 +53,10 @@ class Polygon:
         Parameters
         ----------
         path : path
-            The format follows its suffix.
+            The format follows its suffix: .json, .poly, .wkt or .geojson.
         numbers : {"decimal", "binary64"}
             Read a decimal as exactly that, or as the double nearest to it.
-        format : {"json", "cgshop"}, optional
+        format : {"json", "cgshop", "poly", "wkt", "geojson"}, optional
             Whatever the suffix and the file say.
 
         Raises
@@ -71,6 +72,11 @@ class Polygon:
         if numbers not in ("decimal", "binary64"):
             raise InputError("unsupported", f"numbers {numbers!r}: decimal or binary64")
         return read_polygon_file(path, binary64=numbers == "binary64", format=format)
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """How IPython and Hypothesis show it: rings as `verify` and `triangulate` take them."""
+        rings = [[literal(p) for p in self.input_ring(r)] for r in range(len(self.rings))]
+        printer.text(f"polygon_of({rings})")
 
     @property
     def n(self) -> int:
@@ -133,6 +139,11 @@ class Polygon:
         """The points of a ring in input order."""
         indices = self.rings[ring]
         return self.points[indices[0] : indices[0] + len(indices)]
+
+    @property
+    def coordinates(self) -> list[list[tuple[mpq, mpq]]]:
+        """Each ring's vertices as rational (x, y), in input order, the outer ring first."""
+        return [[coordinates(p) for p in self.input_ring(ring)] for ring in range(len(self.rings))]
 
     def edges(self) -> Iterator[tuple[int, int]]:
         """Every edge as (tail, head), by index."""

@@ -16,6 +16,7 @@ from bern_exact.boundary.corners import TAU, warp
 from bern_exact.boundary.faces import trace
 from bern_exact.boundary.records import HORIZONTAL, VERTICAL, BlockShape, Diced, Warped
 from bern_exact.checkers.dicing import blocks
+from bern_exact.corpus.over_the_grid import around, moved_back
 from bern_exact.exact.points import hpoint
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
@@ -23,7 +24,6 @@ from bern_exact.theorems.theorem_1 import theorem_1
 from tests.boundary.naive import box, kept_intervals
 from tests.boundary.samples import every_family
 from tests.theorems.families import FAMILIES, some_polygon
-from tests.theorems.over_the_grid import around, moved_back
 
 WIDE = ("special_frame", 11000006)
 """A pentagon with an angle of 135.37 degrees in a block."""

@@ -11,6 +11,7 @@ from bern_exact.boundary.corners import TAU, CornerRule, warp
 from bern_exact.boundary.faces import trace
 from bern_exact.boundary.optimal import HIGHEST_WITHIN_135, Demand, best_triangulation
 from bern_exact.boundary.warp import Warping
+from bern_exact.corpus.over_the_grid import around, moved_back
 from bern_exact.exact.points import HPoint, grid_point, hpoint
 from bern_exact.exact.predicates import is_in_wedge, squared_distance
 from bern_exact.plane.polygon import Polygon
@@ -19,7 +20,6 @@ from bern_exact.theorems.theorem_1 import theorem_1
 from tests.boundary.naive import square
 from tests.boundary.samples import Stages, drawn, every_family, stages_of
 from tests.theorems.families import some_polygon
-from tests.theorems.over_the_grid import around, moved_back
 
 HAIRS = [mpq(1, 10), mpq(1, 100), mpq(1, 10**6), mpq(1, 10**12)]
 DELTAS = [mpq(1, 50), mpq(1, 10), TAU - mpq(1, 10**9)]

@@ -8,13 +8,13 @@ from gmpy2 import mpq
 from bern_exact.boundary.blocks import FACTOR
 from bern_exact.boundary.dice import dice
 from bern_exact.boundary.frame import Degenerate, frame
+from bern_exact.corpus.over_the_grid import around, moved_back, pentagon_on
 from bern_exact.exact.points import coordinates, hpoint
 from bern_exact.exact.predicates import squared_distance
 from bern_exact.plane.feature_size import feature_size
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
 from tests.boundary.samples import diced, drawn, every_family, lopped
-from tests.theorems.over_the_grid import around, moved_back, pentagon_on
 
 
 @every_family

@@ -15,7 +15,14 @@ from jsonschema import Draft202012Validator
 
 from bern_exact.exact.errors import INPUT_ERROR_KINDS, InputError
 from bern_exact.exact.points import coordinates, hpoint
-from bern_exact.formats.mesh_json import dumps_mesh, load_mesh, mesh_document, read_mesh
+from bern_exact.formats.mesh_json import (
+    dumps_mesh,
+    load_array_mesh,
+    load_mesh,
+    mesh_document,
+    read_array_mesh,
+    read_mesh,
+)
 from bern_exact.formats.polygon_json import read_polygon
 from bern_exact.oracle import judge
 from bern_exact.oracle.fast import verify_mesh
@@ -75,7 +82,9 @@ def test_what_is_written_is_what_was_read() -> None:
 
 @given(meshes)
 def test_any_mesh_is_written_and_read_back(mesh: Mesh) -> None:
-    assert load_mesh(io.StringIO(dumps_mesh(mesh))) == (mesh, None)
+    text = dumps_mesh(mesh)
+    assert load_mesh(io.StringIO(text)) == (mesh, None)
+    assert load_array_mesh(io.StringIO(text))[0].mesh == mesh
 
 
 def test_written_documents_follow_the_schema(schema: Draft202012Validator) -> None:
@@ -132,6 +141,8 @@ def test_binary64_reads_vertices_and_polygon() -> None:
     assert polygon is not None
     tenth = mpq(*(0.1).as_integer_ratio())
     assert (coordinates(mesh.vertices[0])[0], coordinates(polygon.points[1])[0]) == (tenth, tenth)
+    in_arrays, same = load_array_mesh(io.StringIO(text), binary64=True)
+    assert (in_arrays.mesh, same, in_arrays.points.exact) == (mesh, polygon, True)
 
 
 REFUSED: list[tuple[str, str, str]] = [
@@ -180,6 +191,9 @@ def test_what_is_no_mesh_document_is_refused_with_its_path(text: str, kind: str,
     with pytest.raises(InputError) as refusal:
         load_mesh(io.StringIO(text))
     assert (refusal.value.kind, refusal.value.where) == (kind, {"path": path})
+    with pytest.raises(InputError) as again:
+        load_array_mesh(io.StringIO(text))
+    assert again.value.to_json() == refusal.value.to_json()
 
 
 FORMS: list[tuple[dict[str, Any], bool]] = [
@@ -227,9 +241,16 @@ def test_any_triangles_are_read_or_refused(triangles: Any) -> None:
 
 
 def check_refusal(document: Any) -> None:
-    """The document is read, or refused in a way that can be printed as JSON."""
-    try:
-        read_mesh(document)
-    except InputError as error:
-        assert error.kind in INPUT_ERROR_KINDS
-        json.dumps(error.to_json(), allow_nan=False).encode()
+    """The document is read, or refused in a way that can be printed as JSON; in arrays alike."""
+    for binary64 in (False, True):
+        try:
+            mesh, polygon = read_mesh(document, binary64=binary64)
+        except InputError as error:
+            assert error.kind in INPUT_ERROR_KINDS
+            json.dumps(error.to_json(), allow_nan=False).encode()
+            with pytest.raises(InputError) as refusal:
+                read_array_mesh(document, binary64=binary64)
+            assert refusal.value.to_json() == error.to_json()
+        else:
+            array_mesh, same = read_array_mesh(document, binary64=binary64)
+            assert (array_mesh.mesh, same) == (mesh, polygon)

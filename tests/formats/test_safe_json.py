@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import gc
 import io
 import json
 from pathlib import Path
@@ -156,3 +158,19 @@ def test_what_has_no_exact_text_is_not_written(value: Any) -> None:
 )
 def test_the_layout(value: Any, text: str) -> None:
     assert dumps(value) == text
+
+
+@pytest.mark.parametrize("offset", [0, 1, 250, 498, 499, 500, 777])
+def test_a_long_integer_keeps_its_text_wherever_it_stands(offset: int) -> None:
+    for digits, kind in ((1000, int), (1001, JsonNumber), (5000, JsonNumber)):
+        (value,) = loads(" " * offset + "[" + "7" * digits + "]")
+        assert type(value) is kind and str(value) == "7" * digits
+
+
+@pytest.mark.parametrize("text", ["[1]", "[1", "[NaN]"])
+def test_reading_leaves_the_garbage_collector_as_it_was(text: str) -> None:
+    for enabled in (False, True):
+        (gc.enable if enabled else gc.disable)()
+        with contextlib.suppress(InputError):
+            loads(text)
+        assert gc.isenabled() is enabled

@@ -203,6 +203,8 @@ def damage(case: Case, rng: random.Random) -> None:
         case.triangles.append((v, w, u))
     elif choice == 8 and t >= 0:  # split a triangle at an edge, but not its neighbour
         a, b, c = case.triangles[t]
+        if not all(-1 <= v < len(case.vertices) for v in (a, b, c)):
+            return
         p, q = case.vertices[a], case.vertices[b]
         case.vertices.append(((p[0] + q[0]) / 2, (p[1] + q[1]) / 2))
         new = len(case.vertices) - 1

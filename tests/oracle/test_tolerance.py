@@ -8,12 +8,15 @@ from typing import Any
 
 import pytest
 from gmpy2 import mpq
+from hypothesis import given
+from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.points import hpoint
+from bern_exact.exact.predicates import squared_distance
 from bern_exact.oracle.api import verify
-from bern_exact.oracle.departures import ulp
+from bern_exact.oracle.departures import Near, ulp
 from bern_exact.oracle.verdict import Verdict
 
 SCHEMA = json.loads((resources.files("bern_exact") / "schemas/verdict.schema.json").read_text())
@@ -75,6 +78,11 @@ def test_an_exactly_valid_mesh_is_valid_within_any_tolerance() -> None:
         assert verdict.valid and verdict.within_tolerance is True and not verdict.defects
 
 
+def test_a_float_is_the_decimal_that_it_prints_as() -> None:
+    assert judged(y=EPSILON, tolerance=1e-16)
+    assert not judged(y=EPSILON, tolerance=0.99e-16)
+
+
 def test_the_edge_of_a_clockwise_ring_is_named_as_in_the_input() -> None:
     off_edge = judged(y=EPSILON, ring=SQUARE[::-1]).off_edge
     assert off_edge is not None and off_edge["polygon_edge"] == [0, 2]
@@ -118,17 +126,58 @@ def test_a_vertex_drawn_across_another_edge_is_not_accepted() -> None:
     assert "boundary-not-simple" in {defect.kind for defect in verdict.defects}
 
 
-def test_a_missing_polygon_vertex_is_not_accepted() -> None:
+def test_a_polygon_vertex_may_be_rounded_too() -> None:
     ring = [*SQUARE[:1], (2, -EPSILON), *SQUARE[1:]]
-    verdict = judged(ring=ring, tolerance=1)
+    verdict = judged(ring=ring)
+    missing = next(d for d in verdict.defects if d.kind == "polygon-vertex-missing")
+    assert missing.where == {"polygon_vertex": [0, 1]} and missing.witness["nearest"] == 5
+    assert mpq(missing.witness["distance_squared"]) == EPSILON**2
+    assert verdict.off_edge is not None and verdict.off_edge["polygon_vertex"] == [0, 1]
+    accepted = judged(ring=ring, tolerance=EPSILON)
+    assert accepted.within_tolerance is True
+    assert [d.kind for d in accepted.defects] == ["polygon-vertex-missing"]
+    assert not judged(ring=ring, tolerance=EPSILON / 2)
+
+
+def test_a_missing_polygon_vertex_is_not_accepted() -> None:
+    ring = [*SQUARE[:1], (2, -1), *SQUARE[1:]]
+    verdict = verify(SQUARE, [(0, 1, 2), (0, 2, 3)], ring, tolerance=10)
     assert verdict.within_tolerance is False and verdict.off_edge is None
     assert {"polygon-vertex-missing"} <= {defect.kind for defect in verdict.defects}
+
+
+def test_vertices_in_another_order_are_not_accepted() -> None:
+    ring = [(0, 0), (2, 0), (2 - 2 * EPSILON, -EPSILON), (4, -4), (4, 4), (0, 4)]
+    verdict = verify(ring, [(0, 1, 5)], [*ring[:1], ring[2], ring[1], *ring[3:]], tolerance=1)
+    assert verdict.within_tolerance is False
+
+
+@given(
+    st.lists(st.tuples(st.integers(-20, 20), st.integers(-20, 20)), min_size=1, unique=True),
+    st.tuples(st.fractions(-30, 30), st.fractions(-30, 30)),
+)
+def test_the_nearest_vertex_is_nearest(pairs: list[tuple[int, int]], place: Any) -> None:
+    points = {v: hpoint(x, y) for v, (x, y) in enumerate(pairs)}
+    p = hpoint(*(mpq(c.numerator, c.denominator) for c in place))
+    best = min((squared_distance(p, q), v) for v, q in points.items())
+    assert Near(points).vertex(p) == best[1]
 
 
 def test_a_missing_triangle_is_not_accepted() -> None:
     vertices = [*SQUARE, (2, 2), (2, EPSILON)]
     verdict = verify(vertices, [(4, 0, 5), (4, 5, 1), *FAN[1:3]], SQUARE, tolerance=1)
     assert verdict.within_tolerance is False
+
+
+def test_a_gap_inside_is_no_vertex_off_its_edge() -> None:
+    inner = [(1, 1), (3, 1), (3, 3), (1, 3), (2, 2)]
+    fan = [(4, 5, 8), (5, 6, 8), (6, 7, 8), (7, 4, 8)]
+    frame = [(0, 1, 4), (1, 5, 4), (1, 2, 5), (2, 6, 5), (2, 3, 6), (3, 7, 6), (3, 0, 7), (0, 4, 7)]
+    assert verify([*SQUARE, *inner], frame + fan, SQUARE)
+    for tolerance in (None, 1):
+        verdict = verify([*SQUARE, *inner], frame + fan[1:], SQUARE, tolerance=tolerance)
+        assert not verdict and {defect.kind for defect in verdict.defects} == {"region-not-covered"}
+    assert len(verify([*SQUARE, *inner], frame + fan[1:], SQUARE, limit=1).defects) == 1
 
 
 def test_where_no_edge_is_known_the_nearest_is_told() -> None:

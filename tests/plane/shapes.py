@@ -9,8 +9,9 @@ from gmpy2 import mpq
 from hypothesis import assume
 from hypothesis import strategies as st
 
+from bern_exact.corpus import random_polygons
+from bern_exact.corpus.slits import needles
 from bern_exact.exact.points import HPoint, grid_point, hpoint
-from bern_exact.exact.predicates import orientation
 from bern_exact.plane.polygon import Polygon
 
 from .by_definition import is_polygon, twice_area
@@ -57,12 +58,8 @@ def spiral(n: int) -> Ring:
 
 
 def comb(n: int, length: int = 10**9) -> Ring:
-    """A comb of about n/2 needles side by side, each one unit wide and `length` long."""
-    needles = max(n // 2 - 1, 1)
-    ring = [grid_point(2 * needles, 0), grid_point(2 * needles, 1)]
-    for i in reversed(range(needles)):
-        ring += [grid_point(2 * i + 1, length + i % 7), grid_point(2 * i, 1)]
-    return [grid_point(0, 0), *ring]
+    """A comb of about n/2 needles side by side, each two units wide and `length` long."""
+    return [grid_point(x, y) for x, y in needles(n, length)]
 
 
 def plate(holes: int) -> list[Ring]:
@@ -84,24 +81,7 @@ def untangled(seed: int, n: int, size: int) -> Ring:
 
     Points may be collinear; the ring may then touch itself (the caller validates it).
     """
-    random = Random(seed)
-    chosen: dict[tuple[int, int], None] = {}
-    while len(chosen) < n:
-        chosen[(random.randrange(size), random.randrange(size))] = None
-    ring = [grid_point(x, y) for x, y in chosen]
-    done = False
-    while not done:
-        done = True
-        for i in range(n - 1):
-            for j in range(i + 2, n):
-                a, b, c, d = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
-                if (
-                    orientation(a, b, c) * orientation(a, b, d) < 0
-                    and orientation(c, d, a) * orientation(c, d, b) < 0
-                ):
-                    ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
-                    done = False
-    return ring
+    return [grid_point(x, y) for x, y in random_polygons.untangled(Random(seed), n, size)]
 
 
 def oriented(rings: Sequence[Sequence[HPoint]]) -> Polygon:

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from bern_exact.corpus.over_the_grid import frame_of
 from bern_exact.plane.polygon import Polygon
 from tests.plane.shapes import polygons
 from tests.theorems.families import FAMILIES, some_polygon
 from tests.theorems.judged import proved
-from tests.theorems.over_the_grid import frame_of
 
 few = settings(max_examples=20, suppress_health_check=[HealthCheck.too_slow])
 

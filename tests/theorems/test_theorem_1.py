@@ -10,6 +10,7 @@ import pytest
 from gmpy2 import mpq
 
 from bern_exact.checkers.findings import LemmaViolation
+from bern_exact.corpus.over_the_grid import moved_back
 from bern_exact.exact.predicates import orientation
 from bern_exact.plane.validation import polygon_from_rings
 from bern_exact.theorems import prepare as module
@@ -19,7 +20,6 @@ from bern_exact.theorems.theorem_1 import theorem_1
 from tests.boundary.samples import every_family
 from tests.plane.by_definition import on_segment
 from tests.theorems.families import FAMILIES, some_polygon
-from tests.theorems.over_the_grid import moved_back
 
 STAGES = [
     "feature-size",

@@ -29,13 +29,14 @@ from tests.campaign import without_holes
 from tests.plane.shapes import polygons
 from tests.theorems.families import FAMILIES, mapped, some_polygon
 from tests.theorems.judged import proved_without_large_angles as proved
+from tests.theorems.outlines import EXAMPLES, cases
 from tests.theorems.test_metamorphic import MOVES, relabelled, rings_of
 
 ROOT = Path(__file__).resolve().parents[2]
 
-EXAMPLES = [p for p in sorted((ROOT / "examples").glob("*.json")) if not Polygon.load(p).holes]
-SMALL = [path for path in EXAMPLES if path.stat().st_size <= 20_000]
-LARGE = [path for path in EXAMPLES if path not in SMALL]
+WHOLE = [path for path in EXAMPLES if not Polygon.load(path).holes]
+SMALL = [path for path in WHOLE if path.stat().st_size <= 20_000]
+LARGE = [path for path in WHOLE if path not in SMALL]
 
 STAGES = [
     "feature-size",
@@ -98,8 +99,7 @@ def test_real_polygons_without_holes(path: Path) -> None:
     assert made.assembled.mesh.vertices[: polygon.n] == polygon.points
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("path", LARGE, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", cases(LARGE))
 def test_large_real_polygons_without_holes(path: Path) -> None:
     made = theorem_2(Polygon.load(path), check="final")
     assert all(found.holds for found in made.findings) and made.findings

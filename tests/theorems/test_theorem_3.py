@@ -18,13 +18,14 @@ from bern_exact.theorems.theorem_3 import theorem_3
 from tests.plane.shapes import polygons
 from tests.theorems.families import FAMILIES, mapped, some_polygon
 from tests.theorems.judged import proved_without_large_angles
+from tests.theorems.outlines import EXAMPLES, cases
 from tests.theorems.test_metamorphic import MOVES, relabelled, rings_of
 
 ROOT = Path(__file__).resolve().parents[2]
 
-EXAMPLES = [p for p in sorted((ROOT / "examples").glob("*.json")) if Polygon.load(p).holes]
-SMALL = [path for path in EXAMPLES if path.stat().st_size <= 2_500]
-LARGE = [path for path in EXAMPLES if path not in SMALL]
+HOLED = [path for path in EXAMPLES if Polygon.load(path).holes]
+SMALL = [path for path in HOLED if path.stat().st_size <= 2_000]
+LARGE = [path for path in HOLED if path not in SMALL]
 
 METHODS: tuple[Method, ...] = ("strips", "bridges", "best")
 
@@ -76,8 +77,7 @@ def test_small_real_polygons(path: Path, interior: Method) -> None:
     proved(Polygon.load(path), interior=interior, check=check)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("path", LARGE, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", cases(LARGE))
 def test_other_real_polygons(path: Path) -> None:
     made = theorem_3(Polygon.load(path), check="final")
     assert all(found.holds for found in made.findings) and made.findings

@@ -1,0 +1,196 @@
+"""Polygons that refute sentences of the paper, each as small as was found.
+
+They are valid input, and every guarantee holds on them: what fails is the sentence as printed,
+which `triangulate(..., as_printed=True)` evaluates beside the repaired one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gmpy2 import mpq
+
+from bern_exact.boundary.rotation import SMALL
+from bern_exact.corpus import convex
+from bern_exact.corpus.draws import Ring, Rings, hpoints, nth, places
+from bern_exact.corpus.family import Family, without_random
+from bern_exact.exact.similarity import Similarity
+
+_TURN = Similarity.rotation(mpq(1, 1024)).then(Similarity.rotation(mpq(1, SMALL)).inverse())
+"""Between the two rotations that frames begin with: some polygons were found over the other."""
+
+
+@dataclass(frozen=True)
+class Erratum:
+    """A counterexample.
+
+    Parameters
+    ----------
+    claims : tuple of str
+        The claims of role "as-printed" that do not hold on it; none if it refutes a sentence about
+        regions inside the grid, being such a region itself.
+    theorem : int
+        The theorem on whose way they are evaluated.
+    says : str
+        The sentence that it refutes, and how.
+    rings : Rings
+        The polygon.
+    """
+
+    claims: tuple[str, ...]
+    theorem: int
+    says: str
+    rings: Rings
+
+
+def _turned(ring: Ring) -> Rings:
+    """One ring, turned by `_TURN`."""
+    return places([[_TURN.apply(p) for p in each] for each in hpoints([ring])])
+
+
+def _of_fractions(text: str) -> Rings:
+    """One ring from the texts of x, y, x, y, ..."""
+    numbers = [mpq(number) for number in text.split()]
+    return [list(zip(numbers[::2], numbers[1::2], strict=True))]
+
+
+ERRATA = (
+    Erratum(
+        ("lemma-1.printed-feature-size",),
+        1,
+        "Refutes Lemma 1, s' >= s/3, with the paper's cutting line across vw at a third: here "
+        "s'/s is 0.192, for the legs of the cut reach sqrt(2)/3 |vw|.",
+        [[(0, 0), (1, 0), (mpq(99, 100), 3), (mpq(1, 2), mpq(86, 100)), (mpq(1, 100), 3)]],
+    ),
+    Erratum(
+        ("dicing.printed-different-squares",),
+        2,
+        'Refutes "each vertex falls into a different square", which is true on each sheet only: '
+        "across the exterior slit two vertices share a square of the plane.",
+        [[(0, 0), (9, 0), (9, 9), (5, 9), (5, 4), (mpq(499, 100), 9), (0, 9)]],
+    ),
+    Erratum(
+        ("dicing.printed-unit",),
+        1,
+        "Refutes that the grid unit s/8 keeps blocks apart: with s' >= s/3 only, s' may be less "
+        "than 2 sqrt(2) of it, and two blocks overlap.",
+        [[(0, 0), (10**6, 0), (10**6, 1)]],
+    ),
+    Erratum(
+        ("lemma-2.printed-closest-corner", "lemma-2.printed-block-angle"),
+        2,
+        "Refutes Lemma 2's 135 degrees in blocks where each vertex takes the closest corner of its "
+        "square: an edge passes a grid point just within tau.",
+        _of_fractions(
+            "565780149317910359/2555292500255529250 "
+            "-113517036496418748977883/1022117000102211700000000 "
+            "2519117521813194389041/418659123241865912320 "
+            "905331649363718789796771023/167463649296746364928000000 "
+            "250712348722184801236281521/83731824648373182464000000 "
+            "144262780260385716856239577313/8373182464837318246400000000 "
+            "-13094597332090497830480159/1308309760130830976000000 "
+            "122679218537773761227228817669/8373182464837318246400000000 "
+            "-347244218387674506561594163/41865912324186591232000000 "
+            "2351133457599164037427350329/837318246483731824640000000"
+        ),
+    ),
+    Erratum(
+        ("lemma-2.printed-height",),
+        1,
+        'Refutes "height almost b/8" near the boundary: tau/sqrt(2) is the natural bound.',
+        [[(0, 0), (10, 0), (3, 7)]],
+    ),
+    Erratum(
+        ("lemma-3.printed-height", "lemma-3.printed-zig-zag"),
+        1,
+        "Refutes Lemma 3's height b, for the diagonal of a unit square leaves b/sqrt(2) only, and "
+        "the zig-zag, which meets a late subdivision point too early.",
+        [[(0, 0), (1, 0), (1, 1), (0, 1)]],
+    ),
+    Erratum(
+        ("lemma-5.printed-end-height",),
+        2,
+        'Refutes Lemma 5\'s "height comes for free" at end faces: with all staircase vertices '
+        "projected one of them has a height of about 0.0005 b.",
+        _turned([(26, 31), (32, 12), (40, 13)]),
+    ),
+    Erratum(
+        ("lemma-5.printed-end-height",),
+        2,
+        "Refutes the same even more: a projection next to the end of an edge leaves 0.00016 b.",
+        _turned([(17, 15), (15, 19), (0, 3)]),
+    ),
+    Erratum(
+        ("lemma-2.printed-height",),
+        1,
+        "Refutes that Lemma 5's pieces keep the height tau/sqrt(2): a long row ends above an edge "
+        "of almost 31 degrees, with a height of 0.6263 tau.",
+        _turned(
+            [(0, 0), (mpq(150097, 250), mpq(44606, 125)), (500, 900), (-50, 900), (-2, 3)],
+        ),
+    ),
+    Erratum(
+        (),
+        2,
+        "Refutes Lemma 6's boundary of length O(n) under a fixed parity, as a region of unit "
+        "cells: cutting off squares so that corners become even lengthens it from 22 to 24.",
+        [[(0, 0), (6, 0), (6, 4), (3, 4), (3, 3), (2, 3), (2, 4), (0, 4)]],
+    ),
+    Erratum(
+        (),
+        2,
+        "Refutes the placement of Steiner points in Lemma 7, as a rectangle with subdivisions at "
+        "least 1 apart: (2, 1) is allowed, and either diagonal beside it leaves 146 degrees.",
+        [[(0, 0), (20, 0), (20, 2), (10, 2), (0, 2), (0, 1)]],
+    ),
+    Erratum(
+        ("bounce.printed-return",),
+        4,
+        "Refutes that once those in the middle have been bounced all subdivision points return to "
+        "their own sides (Section 5): some paths turn later.",
+        convex.occupied_spiral(6, 2),
+    ),
+    Erratum(
+        ("bounce.printed-order",),
+        4,
+        "Refutes that the triangle may be chosen freely (Section 5): always the farthest first "
+        "takes 34 half-steps, the repaired order 29.",
+        convex.occupied_spiral(16, 2),
+    ),
+    Erratum(
+        ("lemma-10.printed-width", "lemma-12.printed-strips", "lemma-12.printed-separation"),
+        4,
+        'Refutes the strict "a > max(c, d)" of Lemma 10, by which no line of a uniform grid could '
+        'go, and "m triangles" for each of the columns l and r: 2 m - e.',
+        convex.regular(6, 2),
+    ),
+    Erratum(
+        ("lemma-12.printed-aspect",),
+        4,
+        "Refutes m' < k' for all seven parts (Section 5.2).",
+        convex.tiny_edges(16, 2),
+    ),
+)
+"""Every counterexample, in the order of the paper."""
+
+
+def erratum(which: int) -> Rings:
+    """The counterexample of this number."""
+    return nth(ERRATA, which).rings
+
+
+def _says(parameters: Mapping[str, int]) -> str:
+    return ERRATA[parameters["which"]].says
+
+
+FAMILIES = (
+    Family(
+        "errata",
+        "constructions that follow the paper to the letter: each refutes a sentence as printed",
+        ("erratum", "listed"),
+        {"which": (0, len(ERRATA) - 1)},
+        without_random(erratum),
+        says=_says,
+    ),
+)
