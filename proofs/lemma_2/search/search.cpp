@@ -96,10 +96,14 @@ void read_table(const char* name) {
 struct Box { double lo[4], hi[4]; };
 struct XY { Form x, y; };
 
+struct Heir {  // what a box hands on to its halves: rings that are good, pairs that are possible
+  vector<signed char> known; vector<int> pairs;
+};
+
 struct State {
-  Form p[4]; Box b;
-  vector<signed char> known;
-  State(const Box& box) : b(box), known(rings.size(), -1) {
+  Form p[4]; Box b; const Heir* heir;
+  vector<signed char> known; vector<int> possible_pairs;
+  State(const Box& box, const Heir* from) : b(box), heir(from), known(from ? from->known : vector<signed char>(rings.size(), -1)) {
     for (int i = 0; i < 4; i++) {
       p[i] = Form((box.lo[i] + box.hi[i]) / 2); p[i].a[i] = (box.hi[i] - box.lo[i]) / 2;
     }
@@ -216,12 +220,18 @@ struct State {
   }
   // How many rings fail, in the best corner of each pair, at most; stops at a limit
   long failing(long limit) {
-    vector<char> e(kinds.size()), f(kinds.size());
-    for (size_t i = 0; i < kinds.size(); i++) { e[i] = possible(0, kinds[i]); f[i] = possible(1, kinds[i]); }
+    vector<signed char> e(kinds.size(), -1), f(kinds.size(), -1);
     vector<int> score(plans.size(), -1);
     long sum = 0;
-    for (auto& pair : pairs) {
-      if (!e[pair.e] || !f[pair.f]) continue;
+    int total = heir ? heir->pairs.size() : pairs.size();
+    for (int i = 0; i < total; i++) {
+      int id = heir ? heir->pairs[i] : i;
+      auto& pair = pairs[id];
+      if (e[pair.e] < 0) e[pair.e] = possible(0, kinds[pair.e]);
+      if (!e[pair.e]) continue;
+      if (f[pair.f] < 0) f[pair.f] = possible(1, kinds[pair.f]);
+      if (!f[pair.f]) continue;
+      possible_pairs.push_back(id);
       int& s = score[pair.plan];
       if (s < 0) {
         s = NEAREST ? 0 : 1000;
@@ -257,15 +267,20 @@ bool outside(const Box& b) {
 long leaves = 0, stuck = 0, nodes = 0; int deepest = 0;
 std::string tree;
 
-long value(const Box& b, long limit) {
+// Rings that fail; what is handed on
+long value(const Box& b, long limit, const Heir* from, Heir* to) {
   if (outside(b)) return 0;
-  State s(b);
-  return s.failing(limit);
+  State s(b, from);
+  long fails = s.failing(limit);
+  if (!fails && from) fails = State(b, nullptr).failing(0);  // as the replay will see it
+  for (auto& k : s.known) if (k == 0) k = -1;
+  to->known = std::move(s.known); to->pairs = std::move(s.possible_pairs);
+  return fails;
 }
 
 void halves(const Box& b, int d, Box& l, Box& h) { l = h = b; l.hi[d] = h.lo[d] = (b.lo[d] + b.hi[d]) / 2; }
 
-void search(const Box& b, int depth, long fails) {
+void search(const Box& b, int depth, long fails, const Heir* heir) {
   nodes++;
   deepest = std::max(deepest, depth);
   if (nodes % 20000 == 0) fprintf(stderr, "%ld nodes %ld leaves %ld stuck, at depth %d x %.4f y %.4f me %.4f mf %.4f\n", nodes, leaves, stuck, depth, b.lo[0], b.lo[1], b.lo[2], b.lo[3]);
@@ -276,6 +291,7 @@ void search(const Box& b, int depth, long fails) {
     return;
   }
   int best = 0; long best_l = 0, best_h = 0; double best_score = 1e300;
+  Heir heir_l, heir_h;
   double widest = 0; double w[4];
   for (int d = 0; d < 4; d++) { w[d] = (b.hi[d] - b.lo[d]); widest = std::max(widest, w[d]); }
   for (int d = 0; d < 4; d++) {
@@ -283,17 +299,25 @@ void search(const Box& b, int depth, long fails) {
     Box l, h; halves(b, d, l, h);
     const long none = 1L << 40;
     if (widest > 0.5) {  // too large to try
-      if (w[d] == widest) { best = d; best_l = value(l, 0); best_h = value(h, 0); break; }
+      if (w[d] == widest) { best = d; best_l = best_h = 1; heir_l = heir_h = *heir; break; }
       continue;
     }
-    long vl = value(l, none), vh = value(h, none);
-    double score = double(vl) + double(vh) + 0.3 * double(fails) * (1 - w[d] / widest) ;
+    Heir to_l, to_h;
+    double bias = 0.3 * double(fails) * (1 - w[d] / widest) - 0.4 * double(fails);
+    long limit = best_score > 1e200 ? none : (long)std::max(0.0, best_score - bias) + 1;
+    long vl = value(l, limit, heir, &to_l);
+    if (vl > limit) continue;
+    long vh = value(h, limit - vl, heir, &to_h);
+    double score = double(vl) + double(vh) + 0.3 * double(fails) * (1 - w[d] / widest);
     score -= (vl == 0) * 0.2 * fails + (vh == 0) * 0.2 * fails;
-    if (score < best_score) { best_score = score; best = d; best_l = vl; best_h = vh; }
+    if (score < best_score) {
+      best_score = score; best = d; best_l = vl; best_h = vh;
+      heir_l = std::move(to_l); heir_h = std::move(to_h);
+    }
   }
   tree += char('1' + best);
   Box l, h; halves(b, best, l, h);
-  search(l, depth + 1, best_l); search(h, depth + 1, best_h);
+  search(l, depth + 1, best_l, &heir_l); search(h, depth + 1, best_h, &heir_h);
 }
 
 int main(int argc, char** argv) {
@@ -303,7 +327,9 @@ int main(int argc, char** argv) {
   Box b = {{0, 0, -1, -1}, {1, 1, 1, 1}};
   if (CLASS == 0) b.hi[0] = 0.5;
   if (CLASS == 2) b.hi[1] = 0.5;
-  search(b, 0, 1);
+  Heir all; all.known.assign(rings.size(), -1);
+  for (size_t i = 0; i < pairs.size(); i++) all.pairs.push_back(i);
+  search(b, 0, 1, &all);
   std::cout << tree << "\n";
   fprintf(stderr, "class %d kappa %g: %ld leaves, %ld nodes, %ld stuck, depth %d\n", CLASS, KAPPA, leaves, nodes, stuck, deepest);
   return stuck ? 1 : 0;

@@ -10,6 +10,7 @@ from gmpy2 import mpq
 from bern_exact.boundary.blocks import square_of
 from bern_exact.boundary.corners import TAU, CornerRule
 from bern_exact.boundary.faces import trace
+from bern_exact.corpus.over_the_grid import around, moved_back
 from bern_exact.exact.points import HPoint, direction
 from bern_exact.plane.polygon import Polygon
 from bern_exact.plane.validation import polygon_from_rings
@@ -26,7 +27,6 @@ from proofs.lemma_2.rays import E, F, ray_types
 from proofs.lemma_2.warping import outcomes
 from tests.boundary.samples import diced, drawn
 from tests.proofs.lemma_2.configurations import directions, some_configuration
-from tests.theorems.over_the_grid import around, moved_back
 
 CLASSES = (UP, LEFT, DOWN, RIGHT)
 

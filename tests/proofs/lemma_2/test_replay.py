@@ -85,15 +85,16 @@ def test_low_triangles_fail() -> None:
     ids=["kappa 2/3", "tau 1/4", "tau 1/16"],
 )
 def test_the_certificate_fits_its_claim_alone(bounds: Bounds) -> None:
+    # For other tau its leaves are too large somewhere, whether or not 132 degrees hold.
     found = leaves(stored("angle-132", RIGHT), RIGHT)
-    chosen = np.arange(0, found.low.shape[1], 400)
+    chosen = np.arange(0, found.low.shape[1], 700)
     done = replay(found.low[:, chosen], found.high[:, chosen], RIGHT, bounds)
     assert done.failed and len(done.failed) < len(chosen)
 
 
 def test_only_the_closest_corner_does_not_do() -> None:
     found = leaves(stored("angle-132", LEFT), LEFT)
-    chosen = np.arange(0, found.low.shape[1], 400)
+    chosen = np.arange(0, found.low.shape[1], 1500)
     done = replay(found.low[:, chosen], found.high[:, chosen], LEFT, KAPPA_135, nearest=True)
     assert done.failed
 
