@@ -87,7 +87,7 @@ def test_low_triangles_fail() -> None:
 def test_the_certificate_fits_its_claim_alone(bounds: Bounds) -> None:
     # For other tau its leaves are too large somewhere, whether or not 132 degrees hold.
     found = leaves(stored("angle-132", RIGHT), RIGHT)
-    chosen = np.arange(0, found.low.shape[1], 700)
+    chosen = np.arange(0, found.low.shape[1], 400)
     done = replay(found.low[:, chosen], found.high[:, chosen], RIGHT, bounds)
     assert done.failed and len(done.failed) < len(chosen)
 
