@@ -15,13 +15,14 @@ from proofs.lemma_2.exact import configuration, kappas
 from proofs.lemma_2.points import Bounds
 from proofs.lemma_2.replay import replay, samples, scaled
 from proofs.lemma_2.tree import leaves, stored
+from proofs.section_2 import degrees_of_arctan
 from proofs.statement import CERTIFICATE, Chapter, NotShown, Statement, Status, demand
 
 CHAPTER = Chapter()
 
 METHOD = "exact certificate: a tree of boxes, replayed in integers"
 
-SAMPLE = 120
+SAMPLE = 60
 """Leaves of each class that the quick run replays."""
 
 CLASSES = {UP: "up", LEFT: "left", DOWN: "down", RIGHT: "right"}
@@ -142,6 +143,8 @@ def no_better_corner() -> str:
     c = configuration(v, (hair - mpq(7, 8), mpq(1)), (hair - mpq(7, 8), mpq(-1)))
     least = min(kappa for kappa in kappas(c, bounds.TAU).values())
     demand(bool(least > mpq(7, 8) - 2 * hair), "cotangent -7/8 in the limit")
+    demand(bool(90 + degrees_of_arctan(least)[0] > mpq(13118, 100)), "131.18 degrees")
+    demand(bool(90 + degrees_of_arctan(mpq(9, 10))[1] < 132), "132 degrees")
     return f"the best corner has an angle of cotangent {-least}"
 
 
