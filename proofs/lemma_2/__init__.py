@@ -7,10 +7,10 @@ rays e and f from it with an interior angle (from e counter-clockwise to f) of a
 less than 360 degrees, neither axis-parallel nor diagonal nor through a grid vertex, some corner
 of the square can be taken by v so that after both warps every face of the block has a
 triangulation by its own vertices with all angles below 132 degrees: dot + (9/10) cross > 0 at
-every corner.  (The bound is 180 degrees - arccot(9/10) = 131.987 degrees.  As kappa >=
-3/5 > cot 60, a triangle with all three tests positive is counter-clockwise and not flat: otherwise its three
-angles, taken without sign, would be below arccot kappa < 60 degrees each, or one would be 180,
-or two corners would coincide.)
+every corner.  (The bound is 180 degrees - arccot(9/10) = 131.987 degrees.  As kappa >= 3/5 >
+cot 60, a triangle with all three tests positive is counter-clockwise and not flat: otherwise its
+three angles, taken without sign, would be below arccot kappa < 60 degrees each, or one would be
+180, or two corners would coincide.)
 
 **How.**  The parameters are x, y in [0, 1] and the slopes m_e, m_f in [-1, 1], each in the frame
 in which its ray goes up (`rays`).  What the rules make of the block depends on finitely many
