@@ -221,7 +221,7 @@ ERRATA: Sequence[Erratum] = (
         "A path of the other sense can wind inward, meet the middle and turn there.",
         "What is pending in the middle is bounced at once, whenever it comes; paths of the sense "
         "that may turn go first.",
-        ("section_5.verticals",),
+        ("bouncing.verticals", "bouncing.all_polygons_on_a_small_grid"),
         "returning",
     ),
     Erratum(
@@ -233,7 +233,7 @@ ERRATA: Sequence[Erratum] = (
         "by the repaired order; quadratic on families of spirals.",
         "A lone subdivision does not stay alone: a path bounced later may arrive beside it.",
         "The conflict that comes first in the direction of motion is settled first.",
-        ("section_5.verticals",),
+        ("bouncing.verticals", "bouncing.all_polygons_on_a_small_grid"),
         "bounces",
     ),
     Erratum(

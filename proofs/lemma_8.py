@@ -27,8 +27,11 @@ from __future__ import annotations
 import sympy
 
 from bern_exact.checkers import bounds
+from bern_exact.interior.subdivided.lattice import Lattice
+from bern_exact.interior.subdivided.strips import _abscissas, _reflex_vertices, count_strips
 from proofs.algebra import demand_equal, demand_nonnegative, symbols
-from proofs.statement import IDENTITY, Chapter, demand
+from proofs.polyominoes import outline, polyominoes
+from proofs.statement import ENUMERATION, IDENTITY, Chapter, demand
 
 CHAPTER = Chapter()
 statements = CHAPTER.statements
@@ -57,3 +60,28 @@ def vertices() -> str:
         over = bounds.strips_vertices(n) - 2 * n
         demand(over * over <= n**3 < (over + 1) ** 2, "strips_vertices()")
     return "N + R (2 x + (x - t)^2/t) - R <= N + 2 sqrt(|D| Hc R)"
+
+
+MOST_CELLS, MOST_SPACING = 6, 4
+"""Squares of the regions, and spacings, that steps (1) and (3) are checked on."""
+
+
+@CHAPTER.proved(
+    "Lemma 8 (repaired)",
+    "V <= N + (ceil(|D|/t) - 1) Hc + R (t - 1), |D| <= N/2 and Hc <= N/2, in the product on all "
+    "regions of up to 6 unit squares without holes and t from 1 to 4.",
+    ENUMERATION,
+)
+def counts_on_small_regions() -> str:
+    """Steps (1) and (3) of the module's docstring."""
+    cases = 0
+    for size in range(1, MOST_CELLS + 1):
+        for region in filter(None, map(outline, polyominoes(size))):
+            edges, reflex = region.edges, sum(1 for _ in _reflex_vertices(region))
+            abscissas, chords = len(_abscissas(region)), len(Lattice.of(region).rows.chords())
+            demand(2 * abscissas <= edges and 2 * chords <= edges, "(1)")
+            for t in range(1, MOST_SPACING + 1):
+                most = edges + (-(-abscissas // t) - 1) * chords + reflex * (t - 1)
+                demand(count_strips(region, t) <= most, f"(3) {region.loops}, t = {t}")
+                cases += 1
+    return f"{cases} partitions"

@@ -20,6 +20,7 @@ MODULES = (
     "proofs.lemma_8",
     "proofs.theorems_2_3",
     "proofs.section_5",
+    "proofs.bouncing",
     "proofs.lemma_12",
     "proofs.theorem_4",
     "proofs.printed",

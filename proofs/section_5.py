@@ -10,7 +10,7 @@ from gmpy2 import mpq
 from bern_exact.checkers import bounds_bounce, bounds_convex
 from bern_exact.checkers.lemma_10 import AT_SUBDIVISION, nonobtuse_triangulation
 from bern_exact.convex.reduction import is_mergeable, removable, two_thirds_median
-from proofs.algebra import demand_equal, demand_nonnegative, symbols
+from proofs.algebra import demand_equal
 from proofs.statement import ENUMERATION, IDENTITY, Chapter, demand
 
 CHAPTER = Chapter()
@@ -145,34 +145,3 @@ def separation() -> str:
         demand(k - 2 * k // 3 == -(-k // 3), "ceil(k/3)")
         demand((-(-k // 3) > 1) == (k > 3), "two of them for k > 3")
     return "ceil(k/3) >= k/3"
-
-
-@CHAPTER.proved(
-    "Section 5",
-    "There are at most 2 (n - 2) subdivision points before bouncing.",
-    "written proof",
-)
-def first_subdivisions() -> str:
-    """A vertical through each vertex but A and B has two ends, each with one horizontal.
-
-    That goes along the chord to the one other point of the boundary at that height on that side,
-    and makes at most one subdivision there.
-    """
-    n = symbols("n")
-    demand_equal(2 * ((n + 3) - 2), 2 * (n + 1), "2 (n - 2)")
-    for size in range(2, 20):
-        demand(bounds_bounce.first_subdivisions(size) == 2 * (size - 2), f"n = {size}")
-    return "two ends a vertical"
-
-
-@CHAPTER.open(
-    "Section 5",
-    "At most as many half-steps as subdivision points at first and bounces in the middle, and as "
-    "many closed paths as the former: 9 n verticals.",
-)
-def verticals() -> str:
-    """n + 2 (2 n) + 2 (2 n) = 9 n; the counts themselves are argued in `bounds_bounce`."""
-    n = symbols("n")
-    demand_equal(bounds_bounce.verticals(n), n + 2 * 2 * n + 2 * 2 * n, "9 n")
-    demand_nonnegative(bounds_bounce.verticals(n), "9 n")
-    return "argued in `checkers/bounds_bounce.py`, replayed on every run (`bounce.*`)"

@@ -65,8 +65,8 @@ def count() -> str:
 
 @CHAPTER.proved(
     "Theorem 1",
-    "If the blocks keep Lemma 2's height tau/sqrt 2 and other faces along the boundary too, every "
-    "height is at least s/272.7, with the paper's tau = 1/8 and b = s'/8.",
+    "If faces along the boundary keep Lemma 2's heights, tau/sqrt 2, and edges, tau, all heights "
+    "are at least s/272.7, with the paper's tau = 1/8 and b = s'/8.",
     CERTIFICATE,
 )
 def height() -> str:

@@ -77,7 +77,7 @@ def count_of_blocks() -> str:
 
 @CHAPTER.proved(
     "Theorem 4",
-    "N <= 54 n and at most 54 n triangles along the boundary, for 9 n verticals: at most "
+    "N <= 54 n and at most 54 n triangles along the boundary, with at most 9 n verticals: at most "
     "40.1 (54 n)^1.8475 + 54 n triangles.",
     IDENTITY,
 )

@@ -75,7 +75,8 @@ def theorem_3_count() -> str:
 
 @CHAPTER.proved(
     "Theorems 2 and 3",
-    "If blocks keep tau/sqrt 2 and merged faces tau/2, every height is at least s/385.6.",
+    "If blocks keep tau/sqrt 2, merged faces tau/2 and their bases' pieces tau/sqrt 2, all heights "
+    "are at least s/385.6.",
     CERTIFICATE,
 )
 def height() -> str:

@@ -35,6 +35,11 @@ GOOD = ("passed", "missing")
 """Outcomes that make the answer no no."""
 
 
+workers_option = click.option(
+    "--workers", type=click.IntRange(min=1), default=1, help="Processes on this machine."
+)
+
+
 @click.group("corpus")
 def corpus_command() -> None:
     """Corpora: exact test vectors for programs that make or judge meshes."""
@@ -58,7 +63,7 @@ def _choices(
     callback=_choices,
     help="A family, or family:parameter=value,...; several in turn; without it all.",
 )
-@click.option("--workers", type=click.IntRange(min=1), default=1, help="Processes here.")
+@workers_option
 @click.option("--dask", metavar="ADDRESS", help="A Dask scheduler whose workers make the cases.")
 @json_option
 def generate_command(
@@ -71,25 +76,31 @@ def generate_command(
     as_json: bool,
 ) -> int:
     """Make a corpus; run again, it makes what is missing, byte for byte."""
-    with Counting(count) as counting, _executor(dask) as (executor, size):
-        try:
-            generate(
-                out,
-                seed=seed,
-                count=count,
-                families=families,
-                workers=size or workers,
-                executor=executor,
-                listener=counting.done,
-            )
-        except BrokenProcessPool:
-            message = "a worker process died (out of memory?); run the same again to go on"
-            raise click.ClickException(message) from None
+    with Counting(count) as counting, _executor(dask) as (executor, size), _pool_named():
+        generate(
+            out,
+            seed=seed,
+            count=count,
+            families=families,
+            workers=size or workers,
+            executor=executor,
+            listener=counting.done,
+        )
     if as_json:
         emit_json({"corpus": str(out), "seed": seed, "count": count})
     else:
         emit(f"{count} cases in {out}\n")
     return 0
+
+
+@contextmanager
+def _pool_named() -> Iterator[None]:
+    """Say what to do when a worker process dies."""
+    try:
+        yield
+    except BrokenProcessPool:
+        message = "a worker process died (out of memory?); run the same again to go on"
+        raise click.ClickException(message) from None
 
 
 @contextmanager
@@ -112,11 +123,12 @@ def _executor(dask: str | None) -> Iterator[tuple[Executor | None, int]]:
 
 @corpus_command.command("check")
 @click.argument("directory", type=EXISTING)
+@workers_option
 @json_option
-def check_command(directory: Path, as_json: bool) -> int:
+def check_command(directory: Path, workers: int, as_json: bool) -> int:
     """Derive everything in DIRECTORY again and compare: exit code 1 if anything differs."""
-    with Counting(None) as counting:
-        found = recheck(directory, counting.done)
+    with Counting(None) as counting, _pool_named():
+        found = recheck(directory, workers=workers, listener=counting.done)
     if as_json:
         emit_json({"valid": not found, "differences": [vars(each) for each in found]})
     else:

@@ -74,8 +74,8 @@ def generate(
     if missing:
         (directory / MANIFEST).unlink(missing_ok=True)
     done = count - len(missing)
-    with _executor(executor, min(workers, len(missing))) as pool:
-        for case, files in _made(pool, seed, missing, AHEAD * max(1, workers)):
+    with processes(executor, min(workers, len(missing))) as pool:
+        for case, files in made(pool, seed, missing, AHEAD * max(1, workers)):
             write_case(directory, case, files)
             done += 1
             if listener is not None:
@@ -98,7 +98,7 @@ def _refuse_strangers(directory: Path, cases: Sequence[str]) -> None:
 
 
 @contextmanager
-def _executor(given: Executor | None, workers: int) -> Iterator[Executor | None]:
+def processes(given: Executor | None, workers: int) -> Iterator[Executor | None]:
     """The executor that was given, or processes; None if this process does it all."""
     if given is not None or workers < 2:
         yield given
@@ -111,7 +111,7 @@ def _executor(given: Executor | None, workers: int) -> Iterator[Executor | None]
         pool.shutdown(cancel_futures=True)
 
 
-def _made(
+def made(
     pool: Executor | None, seed: int, cases: Sequence[str], ahead: int
 ) -> Iterator[tuple[str, Files]]:
     """Every case with its files, as they get done."""

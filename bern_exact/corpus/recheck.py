@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from bern_exact.corpus.case import Files, case_files
+from bern_exact.corpus.case import Files
+from bern_exact.corpus.generate import AHEAD, Listener, made, processes
 from bern_exact.corpus.manifest import MANIFEST, manifest_text, plan_of
 from bern_exact.corpus.readme import README
 from bern_exact.corpus.storage import files_below
@@ -29,7 +30,7 @@ class Difference:
 
 
 def recheck(
-    directory: Path, listener: Callable[[str, int, int], None] | None = None
+    directory: Path, *, workers: int = 1, listener: Listener | None = None
 ) -> list[Difference]:
     """Every difference between a corpus and what its manifest says it must be.
 
@@ -37,6 +38,8 @@ def recheck(
     ----------
     directory : Path
         With a manifest.
+    workers : int
+        Processes on this machine.
     listener : callable, optional
         Told of every case that is compared, as in `generate`.
 
@@ -51,11 +54,13 @@ def recheck(
     """
     plan = plan_of(directory)
     cases = list(plan.cases())
-    found: list[Difference] = []
-    for i, case in enumerate(cases, 1):
-        found += _differences(directory, case, case_files(plan.seed, case))
-        if listener is not None:
-            listener(case, i, len(cases))
+    differences = dict[str, list[Difference]]()
+    with processes(None, workers) as pool:
+        for case, files in made(pool, plan.seed, cases, AHEAD * workers):
+            differences[case] = list(_differences(directory, case, files))
+            if listener is not None:
+                listener(case, len(differences), len(cases))
+    found = [each for case in cases for each in differences[case]]
     known = {*cases, MANIFEST, "README.md"}
     strangers = sorted(path.name for path in directory.iterdir() if path.name not in known)
     found += [Difference(name, "not of the corpus") for name in strangers]
