@@ -63,7 +63,7 @@ CERTIFICATES = (
     Certificate(
         "height-half-tau",
         "In every block some corner can be taken so that every face has a triangulation with all "
-        "angles below 135 degrees and all heights above tau/2, as Theorems 2 and 3 need.",
+        "angles below 135 degrees and all heights above tau/2 (the least of Theorems 2 and 3).",
         Bounds((1, 1), TAU, (1, 4)),
         False,
     ),
