@@ -59,7 +59,8 @@ trusted.
 
 A second certificate shows a corner with all angles below 135 degrees and all heights above
 tau/2, the least height in Theorems 2 and 3 (whose fans at lopped corners need edges of tau/sqrt 2
-as well).  Faces whose vertices are all grid vertices are left out: squares of side 1, or halves.
+as well).  A third one shows how bad the closest corner can be.  Faces whose vertices are all grid
+vertices are left out: squares of side 1, or halves.
 
 **What is not claimed.**  The shipped rule (`bern_exact.boundary.corners`) asks more of a corner:
 angles of at most 135 degrees, edges of at least tau and heights of at least tau/sqrt 2.  The last
