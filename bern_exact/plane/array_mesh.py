@@ -193,7 +193,7 @@ class ExactPoints:
 def common_multiple(numbers: Iterable[mpz | int]) -> int | None:
     """The least common multiple of positive integers, if it is below `LONG`.
 
-    >>> common_multiple([4, 6]), common_multiple([2**30, 3**30])
+    >>> common_multiple([4, 6]), common_multiple([2**90, 3**90])
     (12, None)
     """
     multiple = mpz(1)

@@ -17,7 +17,7 @@ EXEMPT = {"float_filter.py": "about floats"}
 
 MODULES = [
     Module(path.stem, path.relative_to(PROOFS).as_posix(), text, ast.parse(text))
-    for path in sorted(PROOFS.glob("*.py"))
+    for path in sorted(PROOFS.rglob("*.py"))
     for text in [path.read_text(encoding="utf-8")]
 ]
 

@@ -12,7 +12,7 @@ from tests.plane.shapes import polygons
 from tests.theorems.families import FAMILIES, some_polygon
 from tests.theorems.judged import proved
 
-few = settings(max_examples=20, suppress_health_check=[HealthCheck.too_slow])
+few = settings(max_examples=12, suppress_health_check=[HealthCheck.too_slow])
 
 
 @pytest.mark.parametrize("kind", FAMILIES)

@@ -55,7 +55,7 @@ STAGES = [
 DRAWS = [("simple", 3), ("nearly_right", 1), ("threshold", 20), ("star", 4), ("octilinear", 2)]
 
 draws = pytest.mark.parametrize(("kind", "seed"), DRAWS)
-few = settings(max_examples=20, suppress_health_check=[HealthCheck.too_slow])
+few = settings(max_examples=12, suppress_health_check=[HealthCheck.too_slow])
 
 
 def simple(kind: str, seed: int) -> Polygon:

@@ -33,7 +33,7 @@ DRAWS = [("plate", 3), ("tiny_holes", 5), ("inner_slit", 5), ("simple_with_holes
 
 draws = pytest.mark.parametrize(("kind", "seed"), DRAWS)
 every_method = pytest.mark.parametrize("interior", METHODS)
-few = settings(max_examples=20, suppress_health_check=[HealthCheck.too_slow])
+few = settings(max_examples=12, suppress_health_check=[HealthCheck.too_slow])
 
 
 def proved(polygon: Polygon, max_angle: str = "150", **options: object) -> None:

@@ -28,7 +28,7 @@ OUTLINES = [
     ("mdi_puzzle", 1),
     ("mdi_puzzle", 2),
     ("ne_united_arab_emirates_50m", 3),
-    pytest.param("ne_italy_50m", 3, marks=pytest.mark.slow),
+    pytest.param("ne_italy_50m", 3, marks=pytest.mark.long),
 ]
 
 

@@ -1,0 +1,217 @@
+"""Where the points of the block program are, over boxes of parameters; and their triangles."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from proofs.lemma_2.forms import (
+    BITS,
+    LIMIT,
+    ONE,
+    Form,
+    bounded,
+    integer,
+    is_positive,
+    lowered,
+    product,
+    quotient,
+)
+from proofs.lemma_2.rays import HIGH, LOW, E
+from proofs.lemma_2.warping import Point, Ring
+
+Array = Any
+
+
+SHIFT = 16
+"""Products are lowered by this before they are multiplied by a length."""
+
+LONGEST = 16 << (2 * BITS - SHIFT)
+"""The square of no side of interest is longer."""
+
+
+class Place(NamedTuple):
+    """A point as two forms."""
+
+    x: Form
+    y: Form
+
+    def __sub__(self, other: Place) -> Place:
+        return Place(self.x - other.x, self.y - other.y)
+
+
+class Bounds(NamedTuple):
+    """What is claimed of every triangle.
+
+    Parameters
+    ----------
+    kappa : (int, int)
+        dot + kappa cross > 0 at each corner: numerator and denominator, at most 16.
+    tau : int
+        The snapping threshold at the scale 2^BITS.
+    height : (int, int), optional
+        k and j, k <= 16 and j <= 8: every height is above k / 2^j.
+    """
+
+    kappa: tuple[int, int]
+    tau: int
+    height: tuple[int, int] = (0, 0)
+
+
+def unturned(quarters: int, p: Place) -> Place:
+    """A point of the block's frame in the frame that is turned by these quarters."""
+    if quarters == 0:
+        return p
+    if quarters == 1:
+        return Place(p.y, p.x.times(-1).plus(ONE))
+    if quarters == 2:
+        return Place(p.x.times(-1).plus(ONE), p.y.times(-1).plus(ONE))
+    return Place(p.y.times(-1).plus(ONE), p.x)
+
+
+class Boxes:
+    """Boxes of parameters: centres and half widths of x, y, m_e, m_f.
+
+    Parameters
+    ----------
+    low, high : int64 arrays, 4 x n
+        Their bounds at the scale 2^BITS, even distances apart.
+    cls : int
+        Where f goes.
+    bounds : Bounds
+        What is claimed.
+    """
+
+    def __init__(self, low: Array, high: Array, cls: int, bounds: Bounds) -> None:
+        self.low, self.high, self.cls, self.bounds = low, high, cls, bounds
+        half = (high - low) >> 1
+        self.parameters = [Form(low[i] + half[i], {i: half[i]}) for i in range(4)]
+        v = Place(self.parameters[0], self.parameters[1])
+        self._v = v
+        self._own = [unturned(0, v), unturned(cls, v)]
+        self._places: dict[Point, Place] = {}
+
+    def chosen(self, which: Array) -> Boxes:
+        """Some of the boxes."""
+        return Boxes(self.low[:, which], self.high[:, which], self.cls, self.bounds)
+
+    def _quarters(self, ray: int) -> int:
+        return 0 if ray == E else self.cls
+
+    def _at(self, ray: int, height: Form) -> Form:
+        """X of a ray at a height, in its own frame."""
+        v = self._own[ray]
+        return v.x + lowered(product(height - v.y, self.parameters[2 + ray]))
+
+    def place(self, point: Point) -> Place:
+        """Where a symbolic point is."""
+        if point not in self._places:
+            self._places[point] = self._place(point)
+        return self._places[point]
+
+    def _place(self, point: Point) -> Place:
+        name = point[0]
+        if name == "v":
+            return self._v
+        if name == "g":
+            return Place(integer(point[1]), integer(point[2]))
+        if name == "slid":
+            return self._slid(point)
+        back = -self._quarters(point[1]) % 4
+        if name == "row":
+            height = integer(point[2])
+            return unturned(back, Place(self._at(point[1], height), height))
+        return unturned(back, self._on_column(*point[1:]))
+
+    def _on_column(self, ray: int, level: int, column: int, part: int) -> Place:
+        """Where a ray crosses a column: in a known part of the gap between rows level, level + 1.
+
+        Below row 1 it is also above v.
+        """
+        tau, v = self.bounds.tau, self._own[ray]
+        low = level * ONE + (0 if part == LOW else tau if part != HIGH else ONE - tau)
+        high = level * ONE + (tau if part == LOW else ONE - tau if part != HIGH else ONE)
+        lowest = low if level else np.clip(v.y.c - v.y.radius(), low, high)
+        symbol = 4 + 2 * ray + level
+        rise = integer(column) - v.x
+        y = quotient(rise, self.parameters[2 + ray], lowest, high, symbol, v.y)
+        return Place(integer(column), y)
+
+    def _slid(self, point: Point) -> Place:
+        """Where the segment from a place to a grid vertex crosses a ray."""
+        _, q, inner, node = point
+        quarters = self._quarters(q[1])
+        a = unturned(quarters, self.place(inner))
+        b = unturned(quarters, Place(integer(node[0]), integer(node[1])))
+        off_a, off_b = (p.x - self._at(q[1], p.y) for p in (a, b))
+        # Between 0 and 1, but that is not used: a corner that is not to be taken may be odd.
+        s = quotient(off_a, off_a - off_b, -LIMIT, LIMIT, None)
+        x, y = (p + lowered(product(s, towards - p)) for p, towards in ((a.x, b.x), (a.y, b.y)))
+        return unturned(-quarters % 4, Place(x, y))
+
+    def is_wide(self, u: Place, w: Place) -> Array:
+        """Is dot + kappa cross > 0 for two sides u, w from a corner, w to the left of u?"""
+        num, den = self.bounds.kappa
+        along = product(u.x, w.x.times(den) + w.y.times(num))
+        across = product(u.y, w.y.times(den) - w.x.times(num))
+        return is_positive(along + across)
+
+    def is_good(self, a: Place, b: Place, c: Place) -> Array:
+        """Do all three corners of a triangle keep the bound?
+
+        Then it is counter-clockwise and not flat: kappa >= 3/5 (see the package).
+        """
+        ab, bc, ca = b - a, c - b, a - c
+        good = self.is_wide(ab, _reversed(ca))
+        good = good & self.is_wide(bc, _reversed(ab)) & self.is_wide(ca, _reversed(bc))
+        for side in (ab, bc, ca):
+            good = good & bounded(side.x) & bounded(side.y)
+        return good & self.is_high((ab, bc, ca)) if self.bounds.height[0] else good
+
+    def is_high(self, sides: tuple[Place, Place, Place]) -> Array:
+        """Is cross > height |side| for all three sides?
+
+        As |side| <= (side^2 / l + l) / 2 for any l > 0, it is if 2 l cross > height (side^2 + l^2);
+        l is the side's length at the centre, in multiples of 2^-8.
+        """
+        k, j = self.bounds.height
+        (a, b), (c, d) = sides[:2]
+        cross = lowered(product(a, d) - product(b, c), SHIFT)
+        good: Array = True
+        for x, y in sides:
+            square = lowered(product(x, x) + product(y, y), SHIFT)
+            length = 1 + roots(np.clip(square.c, 0, LONGEST) >> (2 * BITS - SHIFT - 16))
+            times_cross = cross.scaled(length << (j + 1))
+            enough = square.times(k << 8).plus(k * length * length << (2 * BITS - SHIFT - 8))
+            good = good & is_positive(times_cross - enough)
+        return good
+
+    def triangulates(self, ring: Ring) -> Array:
+        """For each box: does one triangulation of this ring keep the bound all over it?"""
+        places = [self.place(point) for point in ring]
+        size = len(ring)
+        good: dict[tuple[int, int], Array] = {(i, i + 1): True for i in range(size - 1)}
+        for width in range(2, size):
+            for i in range(size - width):
+                j = i + width
+                good[i, j] = False
+                for k in range(i + 1, j):
+                    parts = good[i, k] & good[k, j]
+                    if np.any(parts):
+                        own = self.is_good(places[i], places[k], places[j])
+                        good[i, j] = good[i, j] | (parts & own)
+        return good[0, size - 1] & np.ones(self.low.shape[1], dtype=bool)
+
+
+def roots(squares: Array) -> Array:
+    """Integers near the square roots of numbers below 2^20, by Newton's iteration."""
+    root = np.full_like(squares, 1 << 10)
+    for _ in range(12):
+        root = (root + squares // root) >> 1
+        root = np.maximum(root, 1)
+    return root
+
+
+def _reversed(u: Place) -> Place:
+    return Place(u.x.times(-1), u.y.times(-1))
