@@ -14,7 +14,7 @@ from bern_exact.corpus.case import Files, case_files
 from bern_exact.corpus.manifest import MANIFEST, manifest_text
 from bern_exact.corpus.plan import Choice, Plan, every_family
 from bern_exact.corpus.readme import README
-from bern_exact.corpus.storage import begin, is_complete, remove, write_case
+from bern_exact.corpus.storage import begin, is_complete, seed_of, write_case
 from bern_exact.exact.errors import InputError
 from bern_exact.outputs import write_atomically
 
@@ -58,7 +58,7 @@ def generate(
     Raises
     ------
     InputError
-        Kind `unsupported`: the directory holds other files.
+        Kind `unsupported`: the directory holds other files, or another corpus.
     LemmaViolation
         A guarantee failed on the way.
     OSError
@@ -71,7 +71,7 @@ def generate(
     plan = Plan(seed, count, tuple(families) or every_family())
     cases = list(plan.cases())
     begin(directory)
-    _refuse_strangers(directory, cases)
+    _refuse_strangers(directory, seed, cases)
     missing = [case for case in cases if not is_complete(directory, seed, case)]
     if missing:
         (directory / MANIFEST).unlink(missing_ok=True)
@@ -87,16 +87,20 @@ def generate(
     return plan
 
 
-def _refuse_strangers(directory: Path, cases: Sequence[str]) -> None:
-    """Refuse a directory with files of somebody else; cases of another plan are removed."""
+def _refuse_strangers(directory: Path, seed: int, cases: Sequence[str]) -> None:
+    """Refuse a directory with files of somebody else, or with cases of another corpus."""
     known = {*cases, MANIFEST, "README.md"}
     for path in sorted(directory.iterdir()):
-        if path.name in known:
-            continue
-        if not (path / "case.json").is_file():
-            message = f"'{directory}' holds '{path.name}', which is of no corpus: name another one"
-            raise InputError("unsupported", message, {"path": str(path)})
-        remove(path)
+        if path.name not in known:
+            message = f"'{directory}' holds '{path.name}', which is not of this corpus"
+            raise _other_directory(message, path)
+        if path.name in cases and (made := seed_of(path)) not in (None, seed):
+            message = f"'{directory}' holds a corpus of seed {made}, not {seed}"
+            raise _other_directory(message, path)
+
+
+def _other_directory(message: str, path: Path) -> InputError:
+    return InputError("unsupported", f"{message}: name another directory", {"path": str(path)})
 
 
 @contextmanager

@@ -98,6 +98,15 @@ def is_complete(directory: Path, seed: int, case: str) -> bool:
         return False
 
 
+def seed_of(folder: Path) -> int | None:
+    """The seed of the corpus that a case is of; None if that cannot be told."""
+    try:
+        seed = document_of(folder / "case.json", "case").get("seed")
+    except (OSError, InputError, ValueError):
+        return None
+    return seed if isinstance(seed, int) else None
+
+
 def files_below(folder: Path) -> Iterator[str]:
     """Every file of a folder, as paths with strokes, sorted."""
     for path in sorted(folder.rglob("*")):
