@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager
+from itertools import islice
 from multiprocessing import get_context, parent_process
 from pathlib import Path
 from threading import Thread
@@ -22,7 +23,7 @@ Listener = Callable[[str, int, int], None]
 """Told of a case that is done: its id, how many are, and of how many."""
 
 AHEAD = 4
-"""So many cases a worker are handed out at a time: what is done is written soon."""
+"""So many cases a worker are handed out ahead: what is done is written soon."""
 
 
 def generate(
@@ -141,9 +142,13 @@ def made(
         for case in cases:
             yield case, case_files(seed, case)
         return
-    for start in range(0, len(cases), ahead):
-        futures: dict[Future[Files], str] = {
-            pool.submit(case_files, seed, case): case for case in cases[start : start + ahead]
-        }
-        for future in as_completed(futures):
-            yield futures[future], future.result()
+    waiting = iter(cases)
+    futures: dict[Future[Files], str] = {}
+    while True:
+        for case in islice(waiting, ahead - len(futures)):
+            futures[pool.submit(case_files, seed, case)] = case
+        if not futures:
+            return
+        done, _ = wait(futures, return_when=FIRST_COMPLETED)
+        for future in done:
+            yield futures.pop(future), future.result()
