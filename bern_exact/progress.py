@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from types import TracebackType
+from typing import Self
 
 from rich.console import Console
 from rich.progress import BarColumn, SpinnerColumn, TextColumn, TimeElapsedColumn
@@ -14,7 +15,35 @@ StageListener = Callable[[str, object], None]
 """Called with a stage's name and its record."""
 
 
-class Progress:
+class _OnStderr:
+    """A bar on stderr, if that is a terminal, while its block runs."""
+
+    def __init__(self, first: str, total: int | None) -> None:
+        self._bar = Bar(
+            SpinnerColumn(),
+            TextColumn("{task.description}"),
+            BarColumn(),
+            TimeElapsedColumn(),
+            console=Console(stderr=True),
+            transient=True,
+            disable=sys.stderr is None or not sys.stderr.isatty(),
+        )
+        self._task = self._bar.add_task(first, total=total)
+
+    def __enter__(self) -> Self:
+        self._bar.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._bar.stop()
+
+
+class Progress(_OnStderr):
     """A progress bar over the stages of a run, and a way for others to listen along.
 
     Without a terminal on stderr nothing is shown.
@@ -26,9 +55,8 @@ class Progress:
     """
 
     def __init__(self, stages: int | None) -> None:
+        super().__init__("reading", stages)
         self._listeners: list[StageListener] = []
-        self._bar = _bar()
-        self._task = self._bar.add_task("reading", total=stages)
 
     def follow(self, listener: StageListener) -> None:
         """Let somebody else see each stage's record, too."""
@@ -40,20 +68,8 @@ class Progress:
         for listener in self._listeners:
             listener(name, record)
 
-    def __enter__(self) -> Progress:
-        self._bar.start()
-        return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self._bar.stop()
-
-
-class Counting:
+class Counting(_OnStderr):
     """A progress bar over things that are counted.
 
     Parameters
@@ -63,34 +79,8 @@ class Counting:
     """
 
     def __init__(self, total: int | None) -> None:
-        self._bar = _bar()
-        self._task = self._bar.add_task("begun", total=total)
+        super().__init__("begun", total)
 
     def done(self, name: str, done: int, total: int) -> None:
         """So many of so many are done, this one last."""
         self._bar.update(self._task, completed=done, total=total, description=name)
-
-    def __enter__(self) -> Counting:
-        self._bar.start()
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self._bar.stop()
-
-
-def _bar() -> Bar:
-    """A bar on stderr, shown if that is a terminal."""
-    return Bar(
-        SpinnerColumn(),
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TimeElapsedColumn(),
-        console=Console(stderr=True),
-        transient=True,
-        disable=sys.stderr is None or not sys.stderr.isatty(),
-    )
