@@ -13,7 +13,7 @@ EXAMPLES = sorted((Path(__file__).resolve().parents[2] / "examples").glob("*.jso
 SLOW = 20_000
 """Bytes of a file from which on a test takes more than a few seconds."""
 
-LONG = 30_000
+LONG = 25_000
 """Bytes of a file from which on it takes a minute: `make test-long`."""
 
 

@@ -85,7 +85,7 @@ def test_a_smaller_angle_on_new_triangles(degrees: str) -> None:
 
 def test_no_angle_is_small_enough_to_leave_a_mesh_as_it_is() -> None:
     """Where triangles are above the angle asked for, as many that are no worse will do."""
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("glyph_dejavusans_A", 3)
     thinned = thinned_and_judged(polygon, mesh, bound, parse_angle_bound("90"))
     assert len(thinned.mesh.triangles) < 15 * polygon.n
 
