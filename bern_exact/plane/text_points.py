@@ -79,8 +79,11 @@ class TextPoints:
     def lattice(self) -> Lattice | None:
         """The coordinates times their common denominator, if these are below `LONG` in size."""
         scale = common_multiple(map(_denominator, self.numbers))
-        if scale is None or not np.all(np.abs(self.doubles) * scale <= LONG):
+        if scale is None:
             return None
+        with np.errstate(over="ignore"):  # what is infinite is not below it either
+            if not np.all(np.abs(self.doubles) * scale <= LONG):
+                return None
         return lattice_of([_times(number, scale) for number in self.numbers])
 
     def __len__(self) -> int:
