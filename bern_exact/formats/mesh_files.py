@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from bern_exact.exact.errors import InputError
-from bern_exact.exact.numbers import shown
 from bern_exact.formats import (
     cgshop_solution,
     msh,
@@ -21,6 +19,7 @@ from bern_exact.formats import (
     vtk,
     vtu,
 )
+from bern_exact.formats.dispatch import reader_for
 from bern_exact.formats.mesh_json import dumps_mesh, load_array_mesh, read_array_mesh
 from bern_exact.plane.array_mesh import ArrayMesh
 from bern_exact.plane.mesh import Mesh
@@ -124,18 +123,7 @@ def read_array_mesh_file(
     OSError
         A file cannot be read.
     """
-    if format is None:
-        suffix = Path(path).suffix.lower()
-        if suffix not in MESH_READERS:
-            known = ", ".join(sorted(MESH_READERS))
-            message = f"no mesh format has the suffix {suffix!r}; there are: {known}"
-            raise InputError("unsupported", message, {"suffix": suffix})
-        read = MESH_READERS[suffix]
-    elif format in MESH_FORMATS:
-        read = MESH_FORMATS[format]
-    else:
-        known = ", ".join(MESH_FORMATS)
-        raise InputError("unsupported", f"no mesh format {shown(format)}; there are: {known}")
+    read = reader_for(path, format, MESH_READERS, MESH_FORMATS, "mesh")
     polygon = None if polygon_path is None else Path(polygon_path)
     return read(Path(path), binary64=binary64, polygon=polygon)
 

@@ -7,9 +7,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Protocol
 
-from bern_exact.exact.errors import InputError
-from bern_exact.exact.numbers import shown
 from bern_exact.formats import cgshop, geojson, safe_json, triangle_poly, wkt
+from bern_exact.formats.dispatch import reader_for
 from bern_exact.formats.polygon_json import dump_polygon, load_polygon, read_polygon
 from bern_exact.plane.polygon import Polygon
 
@@ -75,18 +74,7 @@ def read_polygon_file(
     OSError
         The file cannot be read.
     """
-    if format is None:
-        suffix = Path(path).suffix.lower()
-        if suffix not in POLYGON_READERS:
-            known = ", ".join(sorted(POLYGON_READERS))
-            message = f"no polygon format has the suffix {suffix!r}; there are: {known}"
-            raise InputError("unsupported", message, {"suffix": suffix})
-        read = POLYGON_READERS[suffix]
-    elif format in POLYGON_FORMATS:
-        read = POLYGON_FORMATS[format]
-    else:
-        known = ", ".join(POLYGON_FORMATS)
-        raise InputError("unsupported", f"no polygon format {shown(format)}; there are: {known}")
+    read = reader_for(path, format, POLYGON_READERS, POLYGON_FORMATS, "polygon")
     return read(Path(path), binary64=binary64)
 
 
