@@ -15,6 +15,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 from gmpy2 import mpq
@@ -44,75 +45,35 @@ def without(*targets: str) -> Iterator[None]:
         yield
 
 
-def before(polygon: Polygon) -> Result:
-    """All diagonals of Lemma 5 but end ones, the fixed turn, Lemma 7 for every rectangle."""
-    with without(FRAME, CELLS):
-        return triangulate(polygon, theorem=3, objective="height", check="none")
-
-
-def fewest(polygon: Polygon) -> Result:
-    """As few diagonals as both bounds allow."""
-    with without(FRAME, CELLS):
-        return triangulate(polygon, theorem=3, check="none")
-
-
-def turned(polygon: Polygon) -> Result:
-    """And the grid turned to what most of the boundary shares."""
-    with without(CELLS):
-        return triangulate(polygon, theorem=3, check="none")
-
-
-def cells(polygon: Polygon) -> Result:
-    """And cells split as they are where that takes fewer triangles: the default."""
-    return triangulate(polygon, theorem=3, check="none")
-
-
-def corner(polygon: Polygon) -> Result:
-    """Blocks of 2 x 2 squares and a coarser grid; experimental."""
-    return triangulate(polygon, theorem=3, blocks="corner", check="none")
-
-
-def thinned(polygon: Polygon) -> Result:
-    """The default thinned."""
-    return triangulate(polygon, theorem=3, check="none", thin=True)
-
-
-def first_before(polygon: Polygon) -> Result:
-    """Theorem 1 with the fixed turn."""
-    with without(FRAME):
-        return triangulate(polygon, theorem=1, check="none")
-
-
-def first(polygon: Polygon) -> Result:
-    """Theorem 1."""
-    return triangulate(polygon, theorem=1, check="none")
-
-
-def first_corner(polygon: Polygon) -> Result:
-    """Theorem 1 with blocks of 2 x 2 squares."""
-    return triangulate(polygon, theorem=1, blocks="corner", check="none")
-
-
-def first_thinned(polygon: Polygon) -> Result:
-    """Theorem 1, thinned."""
-    return triangulate(polygon, theorem=1, check="none", thin=True)
-
-
 Variant = Callable[[Polygon], Result]
 
-NO_LARGE_ANGLE: dict[str, Variant] = {
-    "before": before,
-    "fewest diagonals": fewest,
-    "grid turned": turned,
-    "cells split (default)": cells,
-    "`--blocks corner`": corner,
-    "default, `--thin`": thinned,
+
+def variant(*off: str, **options: Any) -> Variant:
+    """A construction without some savings, by these options of `triangulate`."""
+
+    def make(polygon: Polygon) -> Result:
+        with without(*off):
+            return triangulate(polygon, check="none", **options)
+
+    return make
+
+
+NO_LARGE_ANGLE = {
+    # All diagonals of Lemma 5 but end ones, the fixed turn, Lemma 7 for every rectangle.
+    "before": variant(FRAME, CELLS, theorem=3, objective="height"),
+    "fewest diagonals": variant(FRAME, CELLS, theorem=3),
+    "grid turned": variant(CELLS, theorem=3),
+    "cells split (default)": variant(theorem=3),
+    "`--blocks corner`": variant(theorem=3, blocks="corner"),
+    "default, `--thin`": variant(theorem=3, thin=True),
 }
-THEOREM_1: dict[str, Variant] = {
-    "before": first_before,
-    "grid turned (default)": first,
-    "`--blocks corner`": first_corner,
-    "default, `--thin`": first_thinned,
+"""Up to the default each has one saving more than the one before it."""
+
+THEOREM_1 = {
+    "before": variant(FRAME, theorem=1),
+    "grid turned (default)": variant(theorem=1),
+    "`--blocks corner`": variant(theorem=1, blocks="corner"),
+    "default, `--thin`": variant(theorem=1, thin=True),
 }
 
 
