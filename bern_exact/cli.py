@@ -2,28 +2,40 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+
 import click
 
 from bern_exact import __version__
-from bern_exact.commands.convert import convert_command
-from bern_exact.commands.corpus import corpus_command, families_command
-from bern_exact.commands.facts import facts_command
-from bern_exact.commands.triangulate import triangulate_command
-from bern_exact.commands.verify import verify_command
+
+HOMES = {
+    "triangulate": "triangulate",
+    "verify": "verify",
+    "facts": "facts",
+    "convert": "convert",
+    "corpus": "corpus",
+    "families": "corpus",
+}
+"""Command -> its module in `bern_exact.commands`, where it is called `COMMAND_command`."""
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+class Commands(click.Group):
+    """A group whose commands are imported when they are asked for: each pays for itself alone."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Their names."""
+        return sorted(HOMES)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """A command, or None if there is no such."""
+        if cmd_name not in HOMES:
+            return None
+        module = import_module(f"bern_exact.commands.{HOMES[cmd_name]}")
+        command: click.Command = getattr(module, f"{cmd_name}_command")
+        return command
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="bern-exact")
 def cli() -> None:
     """Triangulate polygons without large angles, exactly, every lemma checked on the way."""
-
-
-for command in (
-    triangulate_command,
-    verify_command,
-    facts_command,
-    convert_command,
-    corpus_command,
-    families_command,
-):
-    cli.add_command(command)
