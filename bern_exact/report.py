@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gmpy2 import mpq
 from rich.box import SIMPLE_HEAD
@@ -13,10 +13,12 @@ from rich.text import Text
 
 from bern_exact.certificate import Certificate
 from bern_exact.checkers.findings import Finding
-from bern_exact.comparison import Row
 from bern_exact.facts import Facts
 from bern_exact.figures import degrees, digits_of, root, shortened
 from bern_exact.oracle.verdict import Verdict, distance_words
+
+if TYPE_CHECKING:  # which brings every theorem with it
+    from bern_exact.comparison import Row
 
 ANGLE_WORDS = ("up to 60", "90", "120", "135", "150", "above")
 """The classes of a verdict's triangles by their largest angle, in order."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from gmpy2 import mpq
@@ -16,7 +17,6 @@ from bern_exact.commands.options import (
     parsed_by,
     svg_option,
 )
-from bern_exact.comparison import Row, compare
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
 from bern_exact.exact.numbers import parse_rational
 from bern_exact.formats import read_array_mesh_file
@@ -27,6 +27,9 @@ from bern_exact.plane.polygon import Polygon
 from bern_exact.progress import Progress
 from bern_exact.report import comparison_lines, verdict_lines
 from bern_exact.view.defects import draw_verdict
+
+if TYPE_CHECKING:
+    from bern_exact.comparison import Row
 
 
 @click.command("verify")
@@ -110,5 +113,8 @@ def verify_command(
 
 def _compared(verdict: Verdict, polygon: Polygon) -> tuple[Row, ...]:
     """The mesh beside ours."""
+    # Here, since it brings every theorem with it, and most verdicts need none.
+    from bern_exact.comparison import compare
+
     with Progress(None) as progress:
         return compare(verdict, polygon, observer=progress)
