@@ -151,7 +151,11 @@ def test_bad(exact_judge):
 """
 
 
-def test_the_plugin_is_there_in_any_suite(pytester: pytest.Pytester) -> None:
+@pytest.mark.parametrize("ci", ["", "true"])  # under CI pytest prints the message twice
+def test_the_plugin_is_there_in_any_suite(
+    ci: str, pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CI", ci)
     pytester.makepyfile(SUITE)
     result = pytester.runpytest("-p", "no:randomly")
     result.assert_outcomes(passed=1, failed=1)
@@ -164,7 +168,7 @@ def test_the_plugin_is_there_in_any_suite(pytester: pytest.Pytester) -> None:
         ]
     )
     result.stdout.no_fnmatch_line("*testing.py*")  # the traceback ends in the user's test
-    saved = [line.split("saved ", 1)[1] for line in result.outlines if "saved " in line]
+    saved = {line.split("saved ", 1)[1] for line in result.outlines if "saved " in line}
     assert len(saved) == 3 and all(Path(path).exists() for path in saved)
 
 
