@@ -282,17 +282,6 @@ def choosers_in_blocks() -> str:
     return "checked on every run (`warping`, `lemma-2.block-edges`), never failed"
 
 
-@CHAPTER.open(
-    "Lemma 2, faces",
-    "A face outside blocks has at most six sides, at most two of them moved vertices, and is "
-    "convex after warping.",
-)
-def faces_outside_blocks() -> str:
-    """At most two edges cross its rectangle: argued in the paper, not proved here."""
-    demand(bounds.FACE_SIDES == 4 + 2 and bounds.MOVED_OUTSIDE_BLOCKS == 2, "the bounds")
-    return "two edges cut two corners off four: 4 + 2; checked on every run (`faces`)"
-
-
 @CHAPTER.proved(
     "Section 2, corner blocks",
     "In a 2 x 2 block no height above tau/sqrt(1 + (1 + 2 tau)^2), about 0.624 tau, can be "

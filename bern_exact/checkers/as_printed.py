@@ -134,11 +134,15 @@ def triangulations(ring: tuple[HPoint, ...]) -> Iterator[list[tuple[HPoint, HPoi
 
 
 def check_boundary_as_printed(mesh: BoundaryMesh) -> list[Finding]:
-    """Lemma 2: "all faces can actually be triangulated with height almost b/8"."""
-    places, least = Places(mesh.warped), Extreme()
+    """Lemma 2: "height almost b/8", and "at most two of its vertices move"."""
+    places, least, most = Places(mesh.warped), Extreme(), Extreme(greatest=True)
     for number, face in enumerate(mesh.faces):
         for p, q, r in face.triangles:
             least.offer(*squared_height(places[p], places[q], places[r]), (number, (p, q, r)))
+    for before in mesh.touched:
+        if before.block < 0:
+            moved = sum(node in mesh.warped.moved for node in before.ring if isinstance(node, tuple))
+            most.offer(moved, 1, before.ring)
     return [
         least.finding(
             "lemma-2.printed-height",
@@ -147,7 +151,14 @@ def check_boundary_as_printed(mesh: BoundaryMesh) -> list[Finding]:
             bounds.TAU**2,
             role="as-printed",
             describe=places.describe,
-        )
+        ),
+        most.finding(
+            "lemma-2.printed-moved",
+            "boundary",
+            "when a face outside the blocks warps, at most two of its vertices move",
+            bounds.PRINTED_MOVED,
+            role="as-printed",
+        ),
     ]
 
 

@@ -51,8 +51,11 @@ CHOOSERS = 2
 FACE_SIDES = 6
 """Sides of a face outside the blocks: a rectangle that at most two edges cross (Lemma 2)."""
 
-MOVED_OUTSIDE_BLOCKS = 2
-"""Moved grid vertices of a face outside the blocks (Lemma 2)."""
+EDGES_A_FACE = 2
+"""Edges of P' that cut corners off the rectangle of a face outside the blocks (Lemma 2)."""
+
+PRINTED_MOVED = 2
+"""Moved vertices of a face outside the blocks, as printed (Lemma 2); false, three may move."""
 
 
 def slope(tau: mpq = TAU) -> mpq:

@@ -208,28 +208,20 @@ def check_faces(mesh: NearBoundary, region: Rectilinear, *, tau: mpq = bounds.TA
 
 
 def _check_moved(mesh: NearBoundary) -> list[Finding]:
-    """How many corners of each face move, before faces split or vanish."""
+    """How many corners of each face move in substep 1, before faces split or vanish."""
     moved, n = mesh.warped.moved, mesh.warped.traced.diced.framed.polygon.n
-    by_vertices, outside = Extreme(greatest=True), Extreme(greatest=True)
+    most = Extreme(greatest=True)
     for face in mesh.touched:
         targets = [moved[node] for node in face.ring if isinstance(node, tuple) and node in moved]
         first = sum(not isinstance(target, tuple) and target < n for target in targets)
-        by_vertices.offer(first, 1, face.ring)
-        if face.block < 0:
-            outside.offer(len(targets), 1, face.ring)
+        most.offer(first, 1, face.ring)
     return [
-        by_vertices.finding(
+        most.finding(
             "warping.moved-a-face",
             FACES,
             "at most one grid vertex of each face moves in substep 1",
             bounds.MOVED_BY_VERTICES_A_FACE,
-        ),
-        outside.finding(
-            "warping.moved-outside-blocks",
-            FACES,
-            "at most two grid vertices of a face outside the blocks move",
-            bounds.MOVED_OUTSIDE_BLOCKS,
-        ),
+        )
     ]
 
 
@@ -239,30 +231,40 @@ class _Shapes:
     def __init__(self, mesh: NearBoundary) -> None:
         self.places = places_of(mesh)
         self.warped = mesh.warped
+        self._lines = mesh.warped.traced.diced.framed.polygon.lines
         self.shortest = Extreme()
         self.steepest = Extreme(greatest=True)
         self.most_sides = Extreme(greatest=True)
-        self.bent = Violations()
+        self.bent, self.shared = Violations(), Violations()
 
     def add(self, number: int, ring: Ring, block: int) -> None:
         """Measure one face."""
         outside = block < 0
         points = [self.places[node] for node in ring]
-        runs = []
+        runs, edges = [], set()
         for i, b in enumerate(ring):
             a, p, q = ring[i - 1], points[i - 1], points[i]
             dx, dy = run = direction(p, q)
             runs.append(run)
             w = p[2] * q[2]
             self.shortest.offer(dx * dx + dy * dy, w * w, (number, (a, b)))
-            if outside and boundary_edge(self.warped, a, b) < 0:
+            edge = boundary_edge(self.warped, a, b) if outside else -1
+            if edge >= 0:
+                edges.add(edge)
+            elif outside:
                 low, high = sorted((abs(dx), abs(dy)))
                 self.steepest.offer(low, high or 1, (number, (a, b)))
         if outside:
+            self.shared.case(self._may_share(edges), (number, ring))
             self.most_sides.offer(len(ring), 1, (number, ring))
             turns = zip(runs, [*runs[1:], *runs[:1]], strict=True)
             convex = all(u[0] * v[1] >= u[1] * v[0] for u, v in turns)
             self.bent.case(convex, (number, ring))
+
+    def _may_share(self, edges: set[int]) -> bool:
+        """May one face have sides on these edges: at most two, slopes of the same sign?"""
+        rising = {line[0] * line[1] < 0 for line in map(self._lines.__getitem__, edges)}
+        return len(edges) <= bounds.EDGES_A_FACE and len(rising) <= 1
 
     def findings(self, tau: mpq) -> list[Finding]:
         """What was measured, against the bounds."""
@@ -286,6 +288,13 @@ class _Shapes:
                 "warping.convex",
                 FACES,
                 "every face outside the blocks is convex (180 degrees allowed)",
+                describe=describe,
+            ),
+            self.shared.finding(
+                "warping.boundary-sides",
+                FACES,
+                "every face outside the blocks has sides on at most two edges of P', whose slopes "
+                "have the same sign",
                 describe=describe,
             ),
             self.most_sides.finding(

@@ -276,7 +276,14 @@ def loop_of_q_lost(s: Stages) -> Stages:
     return s.but(interior=Rectilinear(s.interior.loops[1:]))
 
 
-@breaks("faces", "warping.moved-a-face", "warping.moved-outside-blocks")
+@breaks("faces", "warping.boundary-sides")
+def face_at_a_vertex(s: Stages) -> Stages:
+    i, face = next((i, f) for i, f in enumerate(s.boundary.faces) if f.block < 0)
+    faces = put(s.boundary.faces, i, face._replace(ring=(0, 1, 2)))
+    return s.but(boundary=replace(s.boundary, faces=faces))
+
+
+@breaks("faces", "warping.moved-a-face")
 def everything_moves(s: Stages) -> Stages:
     moved = {g: 0 for f in s.boundary.touched for g in f.ring if isinstance(g, tuple)}
     warped = replace(s.warped, moved=moved)
