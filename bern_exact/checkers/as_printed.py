@@ -141,7 +141,9 @@ def check_boundary_as_printed(mesh: BoundaryMesh) -> list[Finding]:
             least.offer(*squared_height(places[p], places[q], places[r]), (number, (p, q, r)))
     for before in mesh.touched:
         if before.block < 0:
-            moved = sum(node in mesh.warped.moved for node in before.ring if isinstance(node, tuple))
+            moved = sum(
+                node in mesh.warped.moved for node in before.ring if isinstance(node, tuple)
+            )
             most.offer(moved, 1, before.ring)
     return [
         least.finding(

@@ -279,7 +279,7 @@ def loop_of_q_lost(s: Stages) -> Stages:
 @breaks("faces", "warping.boundary-sides")
 def face_at_a_vertex(s: Stages) -> Stages:
     i, face = next((i, f) for i, f in enumerate(s.boundary.faces) if f.block < 0)
-    faces = put(s.boundary.faces, i, face._replace(ring=(0, 1, 2)))
+    faces = put(s.boundary.faces, i, face._replace(ring=(0, 1, 2, 3)))
     return s.but(boundary=replace(s.boundary, faces=faces))
 
 
