@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sympy
-from gmpy2 import mpq
 
 from bern_exact.checkers import bounds
 from proofs.algebra import demand_equal, demand_nonnegative, demand_positive, symbols
@@ -91,23 +90,6 @@ def end_face_height() -> str:
     demand_equal(bounds.merged_height_squared(tau), tau**2 / 4, "merged_height_squared()")
     demand_equal(bounds.base_piece_squared(tau), tau**2 / 2, "base_piece_squared()")
     return "L D/(L + D) >= tau/2, equality at L = D = tau"
-
-
-@CHAPTER.open(
-    "Lemma 5 (repaired)",
-    "Every merged face can be cut by some of its diagonals into pieces that have triangulations "
-    "with angles of at most 135 degrees + arctan(2 tau) and heights of at least tau/2.",
-)
-def every_merged_face() -> str:
-    """End faces may have more than four sides once a diagonal is left out."""
-    demand(bool(bounds.merged_height_squared() == mpq(1, 256)), "tau/2 = 1/16")
-    return "checked on every merged face of every run (`lemma-5.angle`, `.height`, `.base`)"
-
-
-@CHAPTER.open("Lemma 4", "Merged faces are monotone, between an edge and a staircase.")
-def monotone_faces() -> str:
-    """The paper's proof is a sketch."""
-    return "checked on every merged face of every run (`lemma-4.*`), never failed"
 
 
 @CHAPTER.proved(

@@ -158,21 +158,20 @@ def faces_after_warping() -> str:
 def sides_by_moving() -> str:
     """Let it be the right side, x = k, from row y to row y' >= y + 1, e less than tau to the right
 
-    of both ends: e has a slope below tau to the vertical.  Suppose that the face has another
-    side on an edge f.  Then f cuts off a corner on the left, or both corners on the left move onto
-    f (the two upper ones cannot, (k, y') moving onto e).  By a reflection it is the upper left
-    corner that is cut off, or moves.  So row y', from f to e, has only (k, y') as a grid vertex, or
-    this and the upper left corner.  By `intervals_have_grid_vertices` one of them is in the
-    block of the vertex w for which the row is kept; let it be (k, y'), which is no
-    restriction: if both are there, e and f have the same part.
-    w is at most 2 sqrt 2 from (k, y'), less than s' from e: it is an end of e.  It is at most 2
-    above or below row y', so less than 3 tau < 1 beside k; k - 1 is a line of the block.  Where
-    (k - 1, y') is on the row it is a grid vertex: it is the upper left corner, or it is beyond f.  So
-    f meets the row less than 1 + tau to the left of k.  Then e and f have a common end, which
-    is less than sqrt 2 (1 + tau) from (k, y'), so that it is w.  The angle at w is at least 90
-    degrees, and e is steep: from w to row y' f rises or falls by at most tau a unit, less than 1 in
-    all.  So f is not steep, as it is where two corners on the left move onto it; and it meets row y'
-    in the open block, less than 1 to the left of k, against (b).
+    of both ends: e has a slope below tau to the vertical.  Suppose that the face has another side
+    on an edge f.  Then f cuts off a corner on the left, or both corners on the left move onto f
+    (the two upper ones cannot, (k, y') moving onto e).  By a reflection it is the upper left corner
+    that is cut off, or moves.  So row y', from f to e, has only (k, y') as a grid vertex, or this
+    and the upper left corner.  By `intervals_have_grid_vertices` one of them is in the block of the
+    vertex w for which the row is kept; let it be (k, y'), which is no restriction: if both are
+    there, e and f have the same part. w is at most 2 sqrt 2 from (k, y'), less than s' from e: it
+    is an end of e.  It is at most 2 above or below row y', so less than 3 tau < 1 beside k; k - 1
+    is a line of the block.  Where (k - 1, y') is on the row it is a grid vertex: it is the upper
+    left corner, or it is beyond f.  So f meets the row less than 1 + tau to the left of k.  Then e
+    and f have a common end, which is less than sqrt 2 (1 + tau) from (k, y'), so that it is w.  The
+    angle at w is at least 90 degrees, and e is steep: from w to row y' f rises or falls by at most
+    tau a unit, less than 1 in all.  So f is not steep, as it is where two corners on the left move
+    onto it; and it meets row y' in the open block, less than 1 to the left of k, against (b).
     """
     tau = bounds.TAU
     demand(bool(8 < (FACTOR - tau) ** 2), "2 sqrt 2 + tau < 8")

@@ -11,10 +11,13 @@ from proofs.statement import Statement
 MODULES = (
     "proofs.section_2",
     "proofs.lemma_1",
+    "proofs.outside_blocks",
     "proofs.lemma_2",
     "proofs.lemma_3",
     "proofs.theorem_1",
+    "proofs.lemma_4",
     "proofs.lemma_5",
+    "proofs.merged_faces",
     "proofs.lemma_6",
     "proofs.lemma_7",
     "proofs.lemma_8",

@@ -1,0 +1,218 @@
+"""Lemma 5: every merged face can be cut up, its angles and its heights.
+
+Notation is that of `lemma_4`; tau <= 1/8, b = 1.  The projection of a staircase vertex c is the
+point c + (x, -x) of e; write t(c) for the sum of c's coordinates.
+
+**The cuts.** All staircase vertices between a and b in t are projected, but for c_2 if c_0 c_1 is
+on a row, c_2 = (0, 1) in the place of `lemma_4.row_at_a_block`, and w > 1 - `left_out()`; and for
+its mirror image at b.  (These are among the choices of `bern_exact.boundary.project.best_cuts`.)
+They are not the same vertex: then c_3 = (k, 1), b = (k, 1 - w'), w' >= tau, and e has a slope
+between 1/2 and 2: a and b would be less than sqrt 5 (1 - tau) apart.  But they are less than sqrt 8
+from the ends of e, which are at least 8 apart.
+"""
+
+from __future__ import annotations
+
+import sympy
+from gmpy2 import mpq
+
+from bern_exact.checkers import bounds
+from bern_exact.checkers.bounds_grid import FACTOR
+from proofs.algebra import demand_equal, demand_nonnegative, symbols
+from proofs.statement import IDENTITY, Chapter, demand
+
+CHAPTER = Chapter()
+statements = CHAPTER.statements
+
+TAU = bounds.TAU
+ROOT_2 = mpq(99, 70)
+"""More than sqrt 2."""
+
+
+def left_out(tau: mpq = TAU) -> mpq:
+    """How near w is to 1 if c_2 is not projected: 2 y/(1 + y), y = tan(arctan 2 tau - arctan tau)."""
+    y = tau / (1 + 2 * tau * tau)
+    return 2 * y / (1 + y)
+
+
+def stretch(slope: mpq) -> mpq:
+    """At least the length over the growth of t of an edge of this slope: sqrt(1 + s^2)/(1 - s)."""
+    return (1 + slope * slope / 2) / (1 - slope)
+
+
+@CHAPTER.proved(
+    "Lemma 5 (repaired)",
+    "The cuts of a merged face leave pieces with triangulations by their own vertices in which no "
+    "angle is above 135 degrees + arctan(2 tau).",
+    IDENTITY,
+)
+def every_merged_face() -> str:
+    """Piece by piece, t being monotone (`lemma_4`):
+
+    - Between neighbouring projections: a trapezoid, with the angles of
+      `lemma_5.diagonals_meet_the_edge` and `.diagonals_leave_the_staircase`, split by either
+      diagonal.
+    - c_0 c_1 on a column: the triangle of a, c_1 and its projection.  At a less than 90 + arctan(2
+      tau), at c_1 at most 45 + arctan(2 tau), at the projection less than 135.
+    - c_0 c_1 on a row, c_2 projected to f: the triangles c_1 a c_2 and a f c_2.  As t(c_2) > t(a),
+      the angle at a of the first is at least 45 degrees (and at most 90 + arctan(2 tau)); e has a
+      slope above 1/2: the second has less than 180 - 45 - arctan(1/2) < 135 at a.  At c_1 there are
+      at most 90 + arctan(2 tau), at c_2 45 + arctan(2 tau) in all, at f less than 135.
+    - c_2 = (0, 1) not projected, f the next projection, of c_3, or b = c_3: the triangle c_1 a c_2,
+      with a right angle, and the piece a f c_3 c_2.  Again less than 135 at a and f.  At c_3,
+      between edge and diagonal, at most 135 + arctan(2 tau).  At c_2, which is unmoved, the edge
+      c_2 c_3 is at most arctan(tau) from the direction right or up: at most 90 + arctan(tau) +
+      arctan(1/w), and 1/w <= (1 + y)/(1 - y) = tan(45 + arctan(2 tau) - arctan(tau)).  So it is
+      convex, and split by either diagonal.
+    - If both c_2 and its mirror image c_3 are not projected, and are neighbours, likewise a b c_3
+      c_2.
+    - A rectangle with corners moved onto e: at most 90 + arctan(2 tau) + arctan(tau).
+    """
+    tau = symbols("tau")
+    y = tau / (1 + 2 * tau**2)
+    demand_equal((2 * tau - tau) / (1 + 2 * tau * tau), y, "tan(arctan 2 tau - arctan tau)")
+    demand_equal(left_out(tau), 1 - (1 - y) / (1 + y), "1 - left_out() = (1 - y)/(1 + y)")
+    demand(bool(bounds.slope() + TAU < 1 - bounds.slope() * TAU), "rectangles: below 135 degrees")
+    common = 5 * (1 - TAU) ** 2  # squared; sqrt(common) + 2 sqrt 8 < 8
+    demand(bool(common < 32), "")
+    demand(bool(4 * 32 * common < (FACTOR**2 - 32 - common) ** 2), "a and b are further apart")
+    return "at c_2 at most 90 + arctan tau + (45 + arctan 2 tau - arctan tau)"
+
+
+@CHAPTER.proved(
+    "Lemma 5 (repaired)",
+    "A projected vertex is at least tau/2 beside its projection, and at least 1/2 unless it is an "
+    "unmoved grid vertex; along c_0 c_1 on a column, and along every edge from c_1 to c_(m-1), t "
+    "grows by at least tau.",
+    IDENTITY,
+)
+def projected_vertices() -> str:
+    """x: let e be L to the right of an unmoved grid vertex c, and D below: x = L D/(L + D).
+
+    L, D >= tau, since nearer crossings would have moved c: what is between c and e is in P', as
+    there is no end of an edge less than 1 from c, nor another edge so near.  A grid vertex that has
+    moved onto another edge, or a q-vertex there, is at least 1/sqrt 2 from e (`near_a_face`). t: a
+    piece of another edge is at least tau long, and rises.  A side between grid vertices grows by 1
+    less 2 tau.  One that ends in a q-vertex on an edge begins in a grid vertex that has not moved
+    onto this edge, so, if it is less than 1 - 2 tau long, has not moved, and the q-vertex has not
+    merged with that on another line: it is axis-parallel, and at least tau long
+    (`section_2.least_edge`); if it is longer, t grows by (1 - 2 tau)/sqrt(1 + 4 tau^2) of it.
+    """
+    a, c, tau = symbols("a c tau")
+    length, depth = tau + a, tau + c
+    demand_nonnegative(2 * length * depth - tau * (length + depth), "L D/(L + D) >= tau/2")
+    demand(bool((1 - 2 * TAU) / stretch(2 * TAU) >= TAU), "(1 - 2 tau)^2/sqrt(1 + 4 tau^2) >= tau")
+    demand(bool(1 - 2 * TAU >= TAU), "1 - 2 tau")
+    return "x = L D/(L + D); 1/sqrt 2 over sqrt 2"
+
+
+@CHAPTER.proved(
+    "Lemma 5 (repaired)",
+    "A triangle of a staircase vertex c, its projection p and a point z with t(z) - t(c) = +-T has "
+    "twice the area x T, x being the distance between c and p along an axis; pz along e is at "
+    "most T and at least T/sqrt 2 long.",
+    IDENTITY,
+)
+def area_of_a_piece() -> str:
+    """c = (0, 0), p = (x, -x): the cross product of p and z is x (z_x + z_y).
+
+    On e, of slope m > 0, a length with growth T is T sqrt(1 + m^2)/(1 + m).
+    """
+    x, m = symbols("x m")
+    z, w = sympy.symbols("z w", real=True)
+    demand_equal(x * w + x * z, x * (z + w), "x t(z)")
+    demand_nonnegative((1 + m) ** 2 - (1 + m**2), "at most T")
+    demand_equal(2 * (1 + m**2) - (1 + m) ** 2, (1 - m) ** 2, "at least T/sqrt 2")
+    return "(x, -x) x (z, w) = x (z + w)"
+
+
+def least_in_trapezoid(growth: mpq, slope: mpq, beside: mpq) -> mpq:
+    """A height that triangles of a trapezoid have: x T/(sqrt 2 x + stretch T).
+
+    Parameters
+    ----------
+    growth : mpq
+        T, at least.
+    slope : mpq
+        Of the staircase edge to its axis, at most.
+    beside : mpq
+        x, at least.
+    """
+    return 1 / (ROOT_2 / growth + stretch(slope) / beside)
+
+
+@CHAPTER.proved(
+    "Lemma 5 (repaired)",
+    "The triangulations of `every_merged_face` have heights of at least tau/3 (for tau = 1/8).",
+    "written proof; exact comparisons",
+)
+def height_of_merged_faces() -> str:
+    """By `area_of_a_piece`, twice the area over the longest side.
+
+    - Trapezoids.  A triangle has the side sqrt 2 x, a part of e or an edge of the staircase, at
+      most `stretch` T, and a diagonal, not longer than both.  (i) Both staircase vertices unmoved:
+      the edge is axis-parallel, T >= 1.  (ii) Both have x >= 1/4: T >= tau, slope at most 2 tau.
+      (iii) Else one is unmoved with x < 1/4, the other is 1/sqrt 2 from e: T is at least sqrt 2/4
+      over the stretch of a slope of at most tau.
+    - a, c_1 and its projection: T/sqrt 2, x, and x over the stretch of c_0 c_1, whose slope is at
+      most tau if c_1 is unmoved.
+    - c_1 = (0, 0), a = (w, 0), c_2 = (0, 1), projected: w/sqrt 2 in the first triangle; in the
+      second T = 1 - w, x >= w, and |a c_2| < sqrt 2: w (1 - w)/sqrt 2 at least, concave in w. c_2 =
+      (-d, h), 0 <= d < tau, h >= 2: the ratio of T = h - w - d to |a c_2| is least at h = 2, w + d
+      = 1 + tau; x >= w + d >= tau. c_2 on another edge: x >= 1/2, h > 7.
+    - c_2 = (0, 1) not projected.  It is more than 1 from all edges but e, by the argument (1) of
+      `lemma_4.row_at_a_block`: t(c_3) >= t(c_2) + 1 - 2 tau. c_2 is at least w from e, and the part
+      of e in the piece at least (1 - 2 tau)/sqrt 2 long.  The triangle with c_3 is as in a
+      trapezoid.  If neither c_2 nor c_3 is projected: c_2 c_3 is axis-parallel, b at least w' or 1
+      from it.
+    - Rectangles: sides of at least 1 - 2 tau at angles of 90 +- arctan(2 tau) +- arctan(tau).
+    """
+    least = TAU / 3
+    cases = {
+        "(i)": least_in_trapezoid(mpq(1), mpq(0), TAU / 2),
+        "(ii)": least_in_trapezoid(TAU, 2 * TAU, mpq(1, 4)),
+        "(iii)": least_in_trapezoid(mpq(1) / (2 * ROOT_2) / stretch(TAU), TAU, TAU / 2),
+        "column": min(TAU / ROOT_2, TAU / 2 / stretch(TAU), mpq(1, 2) / stretch(2 * TAU)),
+        **_heights_at_a_row(),
+        **_heights_left_out(),
+        "rectangle": (1 - 2 * TAU) * mpq(9, 10) / mpq(5, 3),
+    }
+    for name, height in cases.items():
+        demand(bool(height >= least), f"{name}: tau/3")
+    # cos and sin of 90 +- arctan(2 tau) +- arctan(tau), squared: the third side is below 5/3.
+    tangent = (3 * TAU) / (1 - 2 * TAU * TAU)
+    cosine = tangent**2 / (1 + tangent**2)
+    demand(bool(1 - cosine >= mpq(81, 100) and 4 * cosine <= (mpq(25, 9) - 2) ** 2), "rectangle")
+    worst = min(cases, key=cases.__getitem__)
+    return f"least in {worst}: {cases[worst] / TAU} tau"
+
+
+def _heights_at_a_row() -> dict[str, mpq]:
+    """c_0 c_1 on a row and c_2 projected."""
+    w, least, most = TAU, TAU, 1 - left_out()
+    second = min(w * (1 - w), most * (1 - most)) / ROOT_2
+    p, h = 1 + TAU, mpq(2)  # |a c_2|^2 <= p^2 + h^2 < (h + p^2/(2 h))^2
+    higher = least * (h - p) / (h + p * p / (2 * h))
+    return {
+        "row": min(w / ROOT_2, second, left_out() / ROOT_2),
+        "row, c_2 higher": min(higher, w / (1 + p * p / 8), (1 - TAU) / ROOT_2),
+        "row, c_2 on an edge": mpq(1, 2) * mpq(7 - 1, 7 + 1),
+    }
+
+
+def _heights_left_out() -> dict[str, mpq]:
+    """c_0 c_1 on a row and c_2 not projected."""
+    w, growth = 1 - left_out(), 1 - 2 * TAU
+    part = growth / ROOT_2
+    return {
+        "left out": min(w, part * w / ROOT_2, part * w / (part + ROOT_2)),
+        "left out, c_3": least_in_trapezoid(growth, TAU, TAU / 2),
+        "both left out": w / (1 + ROOT_2),
+    }
+
+
+@CHAPTER.open("Lemma 5 (repaired)", "They have heights of at least tau/2.")
+def half_of_tau() -> str:
+    """The bounds of `height_of_merged_faces` take all sides of a trapezoid at their longest."""
+    demand(bool(bounds.merged_height_squared() == TAU**2 / 4), "merged_height_squared()")
+    return "checked on every merged face of every run (`lemma-5.height`), never failed"
