@@ -43,7 +43,8 @@ def monotone_faces() -> str:
     """
     tau, rest, above = symbols("tau rest above")
     eighth = sympy.Rational(1, 8) / (1 + rest)
-    growth = 1 - bounds.slope(tau).subs(tau, eighth) + above
+    growth = 1 - 2 * eighth + above
+    demand(bounds.slope(tau) == 2 * tau, "slope() is 2 tau")
     demand_positive(sympy.cancel(growth * (1 + rest) * 4), "1 + k > 0 for k >= -2 tau")
     return "t grows by at least 1 - 2 tau of an edge's extent along its axis"
 
@@ -77,9 +78,9 @@ def ends_of_merged_faces() -> str:
 
 @CHAPTER.proved(
     "Lemma 5, end faces",
-    "In the second case let (0, 0) be the grid vertex at the row's end and a = (w, 0): tau <= w < 1,"
-    " e has a slope above 1/2, c_1 = (0, 0), and c_2 = (0, 1), or t(c_2) >= t(a) + 1 - tau. So "
-    "t(c_2) > t(a).",
+    "In the second case let (0, 0) be the grid vertex at the row's end and a = (w, 0). Then "
+    "tau <= w < 1, e has a slope above 1/2, c_1 = (0, 0), and c_2 = (0, 1), or t(c_2) >= t(a) + 1 - "
+    "tau. So t(c_2) > t(a).",
     IDENTITY,
 )
 def row_at_a_block() -> str:
@@ -117,9 +118,9 @@ def row_at_a_block() -> str:
 @CHAPTER.proved(
     "Lemma 5, end faces",
     "If every staircase vertex with t strictly between t(a) and t(b) is projected, end faces are "
-    "triangles or quadrilaterals: all of c_1 ... c_(m-1) are projected but for c_1 if c_0 c_1 is "
-    "on a row, and c_(m-1) if c_(m-1) c_m is on a column (and but for a rectangle with corners moved "
-    "onto e, which has four sides itself).",
+    "triangles or quadrilaterals: these are all of c_1 ... c_(m-1), but for c_1 if c_0 c_1 is on a "
+    "row, and c_(m-1) if c_(m-1) c_m is on a column. (A rectangle with corners moved onto e has "
+    "four sides itself.)",
     "written proof",
 )
 def end_faces_have_four_sides() -> str:

@@ -5,10 +5,10 @@ point c + (x, -x) of e; write t(c) for the sum of c's coordinates.
 
 **The cuts.** All staircase vertices between a and b in t are projected, but for c_2 if c_0 c_1 is
 on a row, c_2 = (0, 1) in the place of `lemma_4.row_at_a_block`, and w > 1 - `left_out()`; and for
-its mirror image at b.  (These are among the choices of `bern_exact.boundary.project.best_cuts`.)
-They are not the same vertex: then c_3 = (k, 1), b = (k, 1 - w'), w' >= tau, and e has a slope
-between 1/2 and 2: a and b would be less than sqrt 5 (1 - tau) apart.  But they are less than sqrt 8
-from the ends of e, which are at least 8 apart.
+its mirror image at b.  (These are among the choices of `bern_exact.boundary.project.best_cuts`.) If
+c_2 is left out and c_(m-1) b is on a column, c_2 is not the last vertex projected: else c_3 = (k,
+1), b = (k, 1 - w'), w' >= tau, and e has a slope between 1/2 and 2: a and b would be less than sqrt
+5 (1 - tau) apart.  But they are less than sqrt 8 from the ends of e, which are at least 8 apart.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ ROOT_2 = mpq(99, 70)
 
 
 def left_out(tau: mpq = TAU) -> mpq:
-    """How near w is to 1 if c_2 is not projected: 2 y/(1 + y), y = tan(arctan 2 tau - arctan tau)."""
+    """How near to 1 w is if c_2 is left out: 2 y/(1 + y), y = tan(arctan 2 tau - arctan tau)."""
     y = tau / (1 + 2 * tau * tau)
     return 2 * y / (1 + y)
 
@@ -91,17 +91,19 @@ def projected_vertices() -> str:
 
     L, D >= tau, since nearer crossings would have moved c: what is between c and e is in P', as
     there is no end of an edge less than 1 from c, nor another edge so near.  A grid vertex that has
-    moved onto another edge, or a q-vertex there, is at least 1/sqrt 2 from e (`near_a_face`). t: a
-    piece of another edge is at least tau long, and rises.  A side between grid vertices grows by 1
-    less 2 tau.  One that ends in a q-vertex on an edge begins in a grid vertex that has not moved
-    onto this edge, so, if it is less than 1 - 2 tau long, has not moved, and the q-vertex has not
-    merged with that on another line: it is axis-parallel, and at least tau long
-    (`section_2.least_edge`); if it is longer, t grows by (1 - 2 tau)/sqrt(1 + 4 tau^2) of it.
+    moved onto another edge, or a q-vertex there, is at least 1/sqrt 2 from e (`near_a_face`).
+
+    t: a piece of another edge is at least tau long, and rises.  A side between grid vertices grows
+    by 1 less 2 tau.  One that ends in a q-vertex on an edge f begins in a grid vertex that has not
+    moved onto f.  If it is shorter than 1/sqrt 2, this has not moved onto another edge either
+    (`near_a_face`), and the q-vertex has not merged with that on another line, at least 1 from it:
+    so the side is axis-parallel, and at least tau long (`section_2.least_edge`).  If it is
+    longer, t grows by (1 - 2 tau)/sqrt(1 + 4 tau^2) of it.
     """
     a, c, tau = symbols("a c tau")
     length, depth = tau + a, tau + c
     demand_nonnegative(2 * length * depth - tau * (length + depth), "L D/(L + D) >= tau/2")
-    demand(bool((1 - 2 * TAU) / stretch(2 * TAU) >= TAU), "(1 - 2 tau)^2/sqrt(1 + 4 tau^2) >= tau")
+    demand(bool(1 / ROOT_2 / stretch(2 * TAU) >= TAU), "(1 - 2 tau)/sqrt(2 (1 + 4 tau^2)) >= tau")
     demand(bool(1 - 2 * TAU >= TAU), "1 - 2 tau")
     return "x = L D/(L + D); 1/sqrt 2 over sqrt 2"
 

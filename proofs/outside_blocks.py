@@ -97,9 +97,9 @@ def near_a_face() -> str:
 @CHAPTER.proved(
     "Section 2, warping",
     "On a face outside blocks a grid vertex moves, if at all, in substep 2, by less than tau along "
-    "a line of its own, onto the only edge near it.  A q-vertex on e stays, or merges with its inner "
-    "neighbour's image on e, or with the q-vertex of the other line through its anchor, less than "
-    "tau from it, or slides along e, if its inner neighbour has moved onto another edge.",
+    "a line of its own, onto the only edge near it. A q-vertex on e stays, or merges with its "
+    "inner neighbour's image on e, or with the q-vertex of the other line through its anchor, less "
+    "than tau from that, or slides along e, if its inner neighbour has moved onto another edge.",
     WRITTEN,
 )
 def what_moves() -> str:
@@ -122,9 +122,9 @@ def what_moves() -> str:
 
 @CHAPTER.proved(
     "Lemma 2, faces",
-    "After warping a face outside blocks is convex or has vanished.  Its sides are those it had, in "
+    "After warping a face outside blocks is convex or has vanished. Its sides are those it had, in "
     "the same order: rows and columns at most arctan(2 tau) from their axes, pieces of the same "
-    "edges, and besides possibly one side, of a rectangle, whose two ends moved onto one edge.",
+    "edges, and possibly sides of a rectangle whose two ends moved onto one edge.",
     IDENTITY,
 )
 def faces_after_warping() -> str:
@@ -143,7 +143,8 @@ def faces_after_warping() -> str:
     """
     tau, rest = symbols("tau rest")
     eighth = sympy.Rational(1, 8) / (1 + rest)
-    slope = bounds.slope(tau).subs(tau, eighth)
+    slope = 2 * eighth
+    demand(bounds.slope(tau) == 2 * tau, "slope() is 2 tau")
     demand_nonnegative(sympy.cancel((1 - slope) * (1 + rest) * 8), "arctan(2 tau) < 45 degrees")
     demand_nonnegative(sympy.cancel((1 - 2 * eighth) * (1 + rest) * 8), "1 - 2 tau > 0")
     return "each turn is to the left, and the directions are in order"
