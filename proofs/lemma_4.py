@@ -79,8 +79,8 @@ def ends_of_merged_faces() -> str:
 @CHAPTER.proved(
     "Lemma 5, end faces",
     "In the second case let (0, 0) be the grid vertex at the row's end and a = (w, 0). Then "
-    "tau <= w < 1, e has a slope above 1/2, c_1 = (0, 0), and c_2 = (0, 1), or t(c_2) >= t(a) + 1 - "
-    "tau. So t(c_2) > t(a).",
+    "tau <= w < 1, e has a slope above 1/2, c_1 = (0, 0), and c_2 = (0, 1), or t(c_2) is at least "
+    "t(a) + 1 - tau. So t(c_2) > t(a).",
     IDENTITY,
 )
 def row_at_a_block() -> str:
