@@ -12,6 +12,7 @@ MODULES = (
     "proofs.section_2",
     "proofs.lemma_1",
     "proofs.outside_blocks",
+    "proofs.face_heights",
     "proofs.lemma_2",
     "proofs.lemma_3",
     "proofs.theorem_1",

@@ -1,0 +1,117 @@
+"""Lemma 2, heights: faces outside blocks triangulated by their own vertices, as in Theorem 1.
+
+Notation is that of `outside_blocks`; tau = 1/8.  A face with one corner cut off has, after warping,
+the side from q to q' on e; u and v are its extents along the axes.  Its other corners are A
+(upper left), B (lower left, if q is on a row) and C (upper right, if q' is on a column).
+"""
+
+from __future__ import annotations
+
+from gmpy2 import mpq
+
+from bern_exact.checkers import bounds
+from proofs.algebra import demand_equal, demand_nonnegative, symbols
+from proofs.statement import IDENTITY, Chapter, demand
+
+CHAPTER = Chapter()
+statements = CHAPTER.statements
+
+TAU = bounds.TAU
+ROOT_2 = mpq(99, 70)
+"""More than sqrt 2."""
+
+
+def least_at_corner(p: mpq, q: mpq, tangent: mpq) -> mpq:
+    """Less than the least altitude of a triangle with two sides of at least p <= q.
+
+    Between them there are 90 degrees +- an angle d of at most this tangent, at most 1/2.  The
+    altitudes are at least p cos d, and p q cos d over the third side, sqrt(p^2 + q^2 + 2 p q sin
+    d), which grows with p and with q. cos d >= 1 - tan(d)^2/2, sin d <= tan d.
+    """
+    cosine = 1 - tangent * tangent / 2
+    squared = p * p + q * q + 2 * p * q * tangent
+    third = (squared + q * q) / (2 * q)  # at least the root, by the two means
+    return p * cosine * min(mpq(1), q / third)
+
+
+@CHAPTER.proved(
+    "Lemma 2, heights",
+    "If q is on a row and q' on a column, u and v are at least tau, or one of them is more than 1.",
+    "written proof",
+)
+def extents_of_a_cut() -> str:
+    """Let c be the corner that is cut off.  If both q and q' have the anchor c, and one of them is
+
+    less than tau from it, the instance (e, c) moves onto e and both merge: no side.  If q has
+    another anchor, there is a line in use strictly between q and c: u > 1.  Likewise v > 1.
+    Warping moves q along e at most away from q': its inner neighbour may move onto another edge,
+    to the left, where q stays, or downwards, where q slides down.  (Upwards is along the left side,
+    of which the other edge would cut off the end, and with it a second corner.)  Likewise q'.
+    """
+    return "an anchor of both, or a line in use between"
+
+
+@CHAPTER.proved(
+    "Lemma 2, heights",
+    "Every face outside blocks with at most one corner cut off has a triangulation by its own "
+    "vertices with heights of at least tau/sqrt 2.",
+    IDENTITY,
+)
+def faces_with_one_cut() -> str:
+    """Sides between grid vertices are at least 1 - 2 tau long.  Others are at least tau long; if
+
+    shorter than 1/sqrt 2, the grid vertex has not moved, and the side is axis-parallel; if the
+    grid vertex has moved, e is at least 1/sqrt 2 from it (as in `merged_faces.projected_vertices`).
+    A corner triangle, of A, B or C and its two neighbours, has two sides from q-vertices that stay
+    and a right angle; or a grid vertex that stays, a side of at least 1, and 90 degrees +-
+    arctan(tau); or sides of at least 1/sqrt 2 and 90 degrees +- 2 arctan(2 tau).  So much for faces
+    without a cut and for those without B and C.  The others:
+    - C is missing, q' on the top (or B): the triangles A B q and A q q'.  Let q' be x to the right
+      of A, and q y below.  If the top is axis-parallel, x >= tau, twice the area of A q q' is x y;
+      else x >= 1/sqrt 2, and it is at least x (y - tau).
+    - u, v >= tau: the triangles A B q, A q q', A q' C.  Let W and H be the extents of A, q and q'
+      together: twice the area of A q q' is u H + v W - u v, at least u H and v W, so that an
+      altitude is at least min(u, v)/sqrt 2.
+    - v < tau, so u > 1: the triangles A B q, A q C, q q' C.  A C is at least 1 - tau wide and q 1
+      below it; q' C is at least 1 - 3 tau high and less than 2 tau wide.  (u < tau: likewise.)
+    """
+    narrow, wide = 1 / ROOT_2, 1 - 2 * TAU
+    twice = 4 * TAU / (1 - 4 * TAU * TAU)  # tan(2 arctan(2 tau))
+    least = 1 / (ROOT_2 - mpq(1, 100)) * TAU  # a little more than tau/sqrt 2
+    for name, height in {
+        "rectangle": least_at_corner(wide, wide, twice),
+        "a side of 1": least_at_corner(TAU, mpq(1), TAU),
+        "long sides": least_at_corner(narrow, narrow, twice),
+        "C missing": least_in_box(TAU * wide, 2 * TAU, wide),
+        "C missing, top sloped": least_in_box(
+            narrow * (wide - TAU), narrow + 2 * TAU, wide + 2 * TAU
+        ),
+        "A q C": least_in_box(1 - TAU, 1 - TAU, 1 + TAU),
+        "q q' C": least_in_box(1 - 3 * TAU - 2 * TAU * TAU, 1 + 2 * TAU, 1 - 2 * TAU),
+    }.items():
+        demand(bool(height >= least), name)
+    u, v, x, y = symbols("u v x y")  # W = u + x, H = v + y
+    area = (u + x) * (v + y) - x * y
+    demand_equal(area, u * (v + y) + v * (u + x) - u * v, "u H + v W - u v")
+    demand_nonnegative(area - u * (v + y), "at least u H")
+    demand_nonnegative(area - v * (u + x), "at least v W")
+    return "tau/sqrt 2 at a right angle between two sides of tau, and at u = v = tau"
+
+
+def least_in_box(area: mpq, width: mpq, height: mpq) -> mpq:
+    """Less than an altitude of a triangle with this twice the area, within such extents.
+
+    Twice the area over the diagonal; it grows if a part of the area grows with its side.
+    """
+    larger, smaller = max(width, height), min(width, height)
+    return area / (larger + smaller * smaller / (2 * larger))
+
+
+@CHAPTER.open(
+    "Lemma 2, heights",
+    "So have faces outside blocks with two opposite corners cut off.",
+)
+def faces_with_two_cuts() -> str:
+    """Six sides, 14 triangulations; a cut may be flat where an anchor is nearer than the corner."""
+    demand(bool(bounds.boundary_height_squared() == TAU**2 / 2), "tau/sqrt 2")
+    return "checked on every face of every run (`lemma-2.height`), never failed"
