@@ -26,6 +26,7 @@ MODULES = (
     "proofs.section_5",
     "proofs.bouncing",
     "proofs.lemma_12",
+    "proofs.lemma_12_rounding",
     "proofs.theorem_4",
     "proofs.printed",
     "proofs.judge",

@@ -82,7 +82,8 @@ def lemma_10() -> str:
     "Lemma 11 (epsilon = 1/6)",
     "Of S lines, if both widths are at least (1/2 + epsilon) S of the S + 1 distances, at least "
     "epsilon S - 1 can be removed; between 2/3-medians at least (m - 1)/6 of m - 1, in outer parts "
-    "at least half.",
+    "at least half; and, m_1 and m_3 rows being before and after all those at least as high as the "
+    "median, at least floor(m_1/2) + floor(m_3/2).",
     IDENTITY,
 )
 def lemma_11() -> str:
@@ -90,6 +91,8 @@ def lemma_11() -> str:
 
     The others satisfy Lemma 10, c and d being at most a.  Of a run of such lines half can go,
     rounded up.  At the median M = sorted[floor(2 m/3)]: ceil(m/3) - 1 <= (m - 1)/3 are higher.
+    The m_1 - 1 lines among the first m_1 rows, all lower than M, satisfy Lemma 10 as well, and so
+    do m_3 - 1; no line of the one kind is next to one of the other, some row being as high as M.
     """
     count, epsilon = sympy.symbols("S epsilon", positive=True)
     higher = count + 1 - (sympy.Rational(1, 2) + epsilon) * count
@@ -123,6 +126,9 @@ def lemma_11_patterns() -> str:
             width = two_thirds_median(pattern)
             gone = len(removable(pattern, width))
             demand(bool(gone >= bounds_convex.eliminated_between_medians(rows)), f"{pattern}")
+            as_high = [i for i, row in enumerate(pattern) if row >= width]
+            ends = as_high[0] // 2 + (rows - 1 - as_high[-1]) // 2
+            demand(gone >= ends, f"{pattern}: the ends")
             lines, covered = rows - 1, sum(row <= 1 for row in pattern)
             epsilon = mpq(covered, lines) - mpq(1, 2)
             gone = len(removable(pattern, mpq(1)))

@@ -29,7 +29,8 @@ ROWS: Sequence[Sequence[str]] = (
     ),
     (
         "angles <= 90",
-        "<= 40.1 (54 n)^1.8475 + 54 n [6]; <= 324 n^2 + 54 n by bouncing; O(n) later",
+        "<= 6.3 (54 n)^1.8475 + 54 n, <= 8.1 (54 n)^1.8 + 54 n [6]; <= 324 n^2 + 54 n by bouncing; "
+        "O(n) later",
         "O(n^2) printed; O(n) later (Bern, Mitchell, Ruppert 1995)",
         "O(n^2) printed; O(n) later (Bern, Mitchell, Ruppert 1995)",
         "? printed; O(n^2.5) later (Bishop 2016)",
@@ -47,9 +48,8 @@ NOTES: Sequence[str] = (
     "N = 858 n.",
     "[4] `theorems_2_3.steiner_ratio`: partitions into matching rectangles, not triangulations.",
     "[5] `theorems_2_3.height`, *proved* if blocks and merged faces keep theirs.",
-    "[6] `theorem_4.count`, with the constant 16 of `lemma_12.induction` and the 9 n verticals of "
-    "`bouncing.verticals`, *proved*; 6.3 for 40.1 if the constant is 5/2 "
-    "(`lemma_12.constant`, open).",
+    "[6] `theorem_4.count`, with Lemma 12's constants of `lemma_12_rounding.constant` and "
+    "`lemma_12_rounding.better_exponent` and the 9 n verticals of `bouncing.verticals`, *proved*.",
 )
 """Where each entry is shown."""
 

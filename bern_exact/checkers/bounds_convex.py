@@ -81,23 +81,12 @@ EXPONENT = mpq(339, 400)
 POWER_CONSTANT = mpq(5, 2)
 """c in the count's bound c (m^x k + m k^x) (Lemma 12, made explicit and symmetric).
 
-Proved:
-
-- 2 m k triangles always suffice.  2 m k = 2 (m^x k + m k^x)/(m^(x-1) + k^(x-1)), so that this is
-  within the bound if m and k are both at most 406, or one of them is at most 4.
-- The recursion with the claims of `lemma-11.medians`, `lemma-11.outer` and `lemma-12.separation`
-  at each node, each part of the worst possible size, was evaluated for every m, k <= 700,
-  and for m <= 24, k <= 4000: never above 1.66 and 1.81 (m^x k + m k^x).
-- Apart from rounding (Section 5.2, repaired): summed over the seven parts of a split by columns,
-  m^x k is at most 2.5 (3^-x) 2/3 + (5/6)^x/3 < 0.9426 of what it was, and m k^x at most
-  0.99998 of it; by rows the other way round.  This needs no assumption on m < k.  What is
-  printed has m^x k alone, and needs m' < k' in all seven parts, which is false.
-
-Asserted: the constant for all larger rectangles, where rounding a part's size by one line
-has less and less influence.  The checker evaluates it on each block of each run.  With 16 for 5/2
-it is proved for all m and k, rounding included (`proofs/lemma_12.py`).  c cannot be
-less than 2 3^(1 - x) = 2.365 in the worst case: 3 rows, the middle one tall, and k columns,
-none wide, are not reduced at all.
+Proved for all m and k, with every rounding term, in `proofs/lemma_12_rounding.py`: by what
+`lemma-11.most`, `lemma-12.parts`, `.medians`, `.separation` and `.count` claim of each node.  The
+checker evaluates it on each block of each run.  2 m k triangles always suffice, and are within the
+bound if m and k are both at most 406, or one of them is at most 4.  c cannot be less than
+2 3^(1 - x) = 2.3647... in the worst case: 3 rows, the middle one tall, and k columns, none wide,
+are not reduced at all.
 """
 
 POWER_BITS = 16

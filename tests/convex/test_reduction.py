@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from bern_exact.convex.block_records import Blocks, Reduced
 from bern_exact.convex.cells import Cells
 from bern_exact.convex.merge import merge
-from bern_exact.convex.reduction import is_mergeable, reduce_blocks, removable
+from bern_exact.convex.reduction import is_mergeable, reduce_blocks, removable, two_thirds_median
 from bern_exact.exact.angle_bound import parse_angle_bound
 from bern_exact.exact.points import HPoint, hpoint
 from bern_exact.oracle.fast import verify_mesh
@@ -153,3 +153,12 @@ def test_a_uniform_grid_is_reduced_at_every_level() -> None:
     reduced = reduce_blocks(blocks)
     assert 10 * reduced.number < 2 * blocks.cells.number
     assert lines([mpq(1)] * 2) == (0, 1, 2)
+
+
+@given(gap_lists(20))
+def test_half_of_the_lines_before_and_after_the_wide_strips_go(gaps: list[mpq]) -> None:
+    """What the better exponent of Lemma 12 rests on."""
+    width = two_thirds_median(gaps)
+    wide = [i for i, gap in enumerate(gaps) if gap >= width]
+    before, after = wide[0], len(gaps) - 1 - wide[-1]
+    assert len(removable(gaps, width)) >= before // 2 + after // 2
