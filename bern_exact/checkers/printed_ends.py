@@ -13,7 +13,7 @@ from bern_exact.checkers.as_printed import triangulations
 from bern_exact.checkers.extremes import Extreme, Violations
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_4 import has_positive_slope, level
-from bern_exact.checkers.places import Places, point_text, squared_height
+from bern_exact.checkers.places import Places, cotangent, point_text, squared_height
 from bern_exact.checkers.rings import places_of
 from bern_exact.exact.points import HPoint, Line, meet
 from bern_exact.exact.predicates import orientation
@@ -22,6 +22,9 @@ STAGE = "merged"
 
 END_FACE_SIDES = 4
 """Lemma 5: "end faces must be convex quadrilaterals or triangles"."""
+
+BELOW_COT_150 = mpq(-1733, 1000)
+"""cot 150 degrees is -1.73205...: "with maximum angle 150"."""
 
 
 def check_merged_as_printed(mesh: MergedMesh, *, tau: mpq = bounds.TAU) -> list[Finding]:
@@ -39,19 +42,30 @@ def check_merged_as_printed(mesh: MergedMesh, *, tau: mpq = bounds.TAU) -> list[
     """
     lines = mesh.warped.traced.diced.framed.polygon.lines
     places = places_of(mesh)
-    shapes, heights = Violations(), Extreme()
+    shapes, heights, angles = Violations(), Extreme(), Extreme()
     for item in mesh.projected:
         edge = item.merged.edge
         for ring in end_faces(item.merged, lines[edge], places):
             shapes.case(len(ring) <= END_FACE_SIDES and _is_convex(ring), (edge, ring))
             height = best_height(ring)
             heights.offer(height.numerator, height.denominator, (edge, ring))
+            for i, corner in enumerate(ring):
+                angles.offer(*cotangent(ring[i - 1], corner, ring[i + 1 - len(ring)]), (edge, ring))
     return [
         shapes.finding(
             "lemma-5.printed-end-faces",
             STAGE,
             "end faces must be convex quadrilaterals or triangles, all inner staircase vertices "
             "being projected",
+            role="as-printed",
+            describe=_describe,
+        ),
+        angles.finding(
+            "lemma-5.printed-end-angle",
+            STAGE,
+            "end faces have maximum angle 150, so that either diagonal triangulates them (least "
+            "cotangent of a corner, that of 150 degrees rounded down)",
+            BELOW_COT_150,
             role="as-printed",
             describe=_describe,
         ),
