@@ -119,9 +119,9 @@ def extents_of_two_cuts() -> str:
     """As in `extents_of_a_cut`, but q slides towards q' if B moves upwards onto f, 8 from e.
 
     Then the row's slope is s < tau/7, and if e has slope m, u and v become m/(m + s) of what they
-    were.  If v was at least tau, it is at least tau m/(m + s) >= tau/(1 + s) if m >= 1; and u, which
-    was v/m, is at least tau/(m + s) if m < 1.  Else q has an anchor short of the corner, stays
-    short of it, and u > 1.
+    were.  If v was at least tau, it is at least tau m/(m + s) >= tau/(1 + s) if m >= 1; and u,
+    which was v/m, is at least tau/(m + s) if m < 1.  Else q has an anchor short of the corner,
+    stays short of it, and u > 1.
     """
     demand(bool(8 - TAU > 7), "the row is more than 7 long")
     return "m/(m + s), s < tau/7"
