@@ -65,11 +65,12 @@ def measure_apart(family: str, size: int) -> dict[str, float]:
 
 
 def exponent(sizes: Sequence[float], values: Sequence[float]) -> float:
-    """The least-squares slope of log value over log size."""
+    """The least-squares slope of log value over log size; not a number for a single size."""
     xs, ys = [math.log(n) for n in sizes], [math.log(v) for v in values]
     mx, my = sum(xs) / len(xs), sum(ys) / len(ys)
     over = sum((x - mx) * (y - my) for x, y in zip(xs, ys, strict=True))
-    return over / sum((x - mx) ** 2 for x in xs)
+    spread = sum((x - mx) ** 2 for x in xs)
+    return over / spread if spread else math.nan
 
 
 def report(families: Iterable[str], sizes: Sequence[int]) -> str:
@@ -99,7 +100,9 @@ def report(families: Iterable[str], sizes: Sequence[int]) -> str:
 
 def main() -> None:
     """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--one", nargs=2, metavar=("FAMILY", "N"), help=argparse.SUPPRESS)
     parser.add_argument("--to", type=int, default=SIZES[-1], help="the largest n")
     parser.add_argument("--family", action="append", choices=FAMILIES)

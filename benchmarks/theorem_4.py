@@ -192,7 +192,9 @@ def plot(found: Found, path: Path) -> bool:
 
 def main() -> None:
     """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--one", nargs=3, metavar=("FAMILY", "N", "MODE"), help=argparse.SUPPRESS)
     parser.add_argument("--to", type=int, default=SIZES[-1], help="the largest n")
     parser.add_argument("--jobs", type=int, default=1, help="processes at a time")

@@ -69,7 +69,7 @@ def cutting_line() -> tuple[str, str, list[Layer]]:
     ]
     return (
         "Lemma 1: the cutting line",
-        "red: across vw at a third, as printed; green: |vw|/3 on both edges",
+        "red: as printed; green: |vw|/3 on both edges",
         [
             ("mesh", [made.polygon.points], True),
             ("bounced", [*theirs], False),
@@ -106,7 +106,7 @@ def _box(x0: Any, y0: Any, x1: Any, y1: Any) -> list[HPoint]:
 
 def unit() -> tuple[str, str, list[Layer]]:
     """The blocks of the two nearest vertices, for b = s/8."""
-    made = printed.run("unit", 1)
+    made = printed.run("right-triangle", 1)
     framed: Any = made.stages["framed"]
     points = framed.polygon.points
     ratio = made.certificate.feature_size_squared / (framed.feature.squared * framed.unit**2)
@@ -199,7 +199,7 @@ def _end_face_layers(mesh: MergedMesh) -> Iterable[Layer]:
 def end_face() -> tuple[str, str, list[Layer]]:
     """A projection next to the end of e."""
     return _merged(
-        "end-face",
+        "right-triangle",
         "Lemma 5: an end face",
         "a merged face with every diagonal; red: its thinnest end face",
     )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from proofs.printed import written
+
 
 @dataclass(frozen=True)
 class Erratum:
@@ -47,7 +49,7 @@ ERRATA: Sequence[Erratum] = (
         "distinct vertex w one-third of the way from v to w. [...] The feature size of P' is at "
         "least s/3.",
         "printed.cutting_line",
-        "(0, 0), (6, 0), (5, 15), (3, 5), (1, 15): (s'/s)^2 = 0.10975 < 1/9.",
+        f"{written('cutting-line')}: (s'/s)^2 < 0.0368, s'/s < 1/5.",
         '"A line segment connecting v to a non-incident edge in P loses at most one-third of its '
         'length from each end": the line crosses vw at a third, but its legs are up to '
         "sqrt(2)/3 |vw| long.",
@@ -59,7 +61,7 @@ ERRATA: Sequence[Erratum] = (
         "Section 2, dicing",
         "Let b = s/8. Each vertex of P' falls into a different square in this grid.",
         "printed.different_squares",
-        "(0, 0), (9, 0), (9, 9), (5, 9), (5, 4), (4.99, 9), (0, 9): two tips across a slit.",
+        f"{written('slit')}: two tips across a slit.",
         "The feature size is measured within P'; vertices on different sheets may be as near in "
         "the plane as one likes.",
         "The sentence is meant for each sheet, and exterior grid vertices are kept apart for every "
@@ -72,7 +74,7 @@ ERRATA: Sequence[Erratum] = (
         "Let b = s/8. [...] (Our choice of b = s/8 guarantees that at most one vertex of each "
         "face warps in this step.)",
         "printed.unit",
-        "The triangle (0, 0), (2, 0), (0, 1): s' < 2 sqrt 2 b, blocks of P' overlap.",
+        f"The triangle {written('right-triangle')}: s' < 2 sqrt 2 b, blocks of P' overlap.",
         "s is the feature size of P; that of P' may be s/3, and 8/3 < 2 sqrt 2.",
         "b is a rational just below s'/8, from the exact s'.",
         ("section_2.sheets_are_wedges", "section_2.blocks_are_disjoint"),
@@ -83,7 +85,7 @@ ERRATA: Sequence[Erratum] = (
         "Each vertex v of P' chooses the closest vertex c of the square it occupies. [...] "
         "Neighbor and occupied squares can be triangulated with maximum angle at most 135.",
         "printed.closest_corner",
-        "A heptagon with two decimals a coordinate: with the closest corner one block face has no "
+        f"{written('closest-corner')}: with the closest corner one block face has no "
         "triangulation within 138.5 degrees.",
         "The case analysis is by sections of length b/8. An edge that crosses just beyond a grid "
         "vertex, by delta < b/8, leaves a warped triangle with 135 degrees + arctan(delta), up to "
@@ -98,7 +100,7 @@ ERRATA: Sequence[Erratum] = (
         "A detailed case analysis shows that all faces can actually be triangulated with height "
         "almost b/8.",
         "printed.almost_an_eighth",
-        "The triangle (1, 1), (2, 0), (4, 3): a face outside blocks with no triangulation of "
+        f"The triangle {written('thin-face')}: a face outside blocks with no triangulation of "
         "a height above 0.091 b, next to b/(8 sqrt 2) = 0.088 b.",
         "An edge of length b/8 at 45 degrees to the longest edge of its triangle gives "
         "b/(8 sqrt 2).",
@@ -145,8 +147,8 @@ ERRATA: Sequence[Erratum] = (
         "Height Omega(s) comes for free. [...] All slopes are bounded away from -1, so this "
         "property is preserved by the projection.",
         "printed.end_face_height",
-        "The triangle (0, 0), (2, 0), (2, 1): an end face of height 0.016 b. (17, 15), (15, 19), "
-        "(0, 3), turned by the angle in `proofs/printed.py`: 0.00015 b.",
+        f"The triangle {written('right-triangle')}: an end face of height 0.016 b. "
+        f"{written('thin-end-face')}, turned by the angle in `corpus/errata.py`: 0.00015 b.",
         "A projection can land next to the end of e; nothing keeps them apart.",
         "The first and the last diagonal may be left out; the fewest diagonals are drawn that "
         "keep both bounds.",
@@ -157,8 +159,8 @@ ERRATA: Sequence[Erratum] = (
         "Section 3, Lemma 5",
         "(Not printed: tau/sqrt 2 = b/(8 sqrt 2) would be the height that Lemma 2's faces have.)",
         "printed.end_face_bound",
-        "(0, 0), (150097/250, 44606/125), (500, 900), (-50, 900), (-2, 3), turned by the angle "
-        "in `proofs/printed.py`: 0.626 tau, with every choice of diagonals.",
+        f"{written('low-corner')}, turned by the angle in `corpus/errata.py`: 0.626 tau, "
+        "with every choice of diagonals.",
         "Where a row ends on e beyond a crossing with a line that hits e, both distances may be "
         "tau.",
         "The bound is tau/2, for Theorems 2 and 3.",
@@ -217,7 +219,7 @@ ERRATA: Sequence[Erratum] = (
         "Once we have bounced these subdivision points, all subdivision points are the sort that "
         "return to their own sides.",
         "printed.returning",
-        "The pentagon (0, 0), (1, 0), (3, 1), (1, 3), (0, 1).",
+        f"The pentagon {written('returning')}.",
         "A path of the other sense can wind inward, meet the middle and turn there.",
         "What is pending in the middle is bounced at once, whenever it comes; paths of the sense "
         "that may turn go first.",
@@ -229,7 +231,7 @@ ERRATA: Sequence[Erratum] = (
         "Each extension creates a new lone subdivision point; therefore, after O(n) extensions all "
         "subdivision points are alone in their triangles.",
         "printed.order_of_bounces",
-        "A heptagon with coordinates up to 8: 12 half-steps with the farthest triangle first, 10 "
+        f"{written('bounces')}: 12 half-steps with the farthest triangle first, 10 "
         "by the repaired order; quadratic on families of spirals.",
         "A lone subdivision does not stay alone: a path bounced later may arrive beside it.",
         "The conflict that comes first in the direction of motion is settled first.",

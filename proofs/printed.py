@@ -6,14 +6,13 @@ printed sentences (`bern_exact/checkers/as_printed.py`, `printed_*.py` and other
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import Any
 
 from gmpy2 import mpq
 
 from bern_exact.api import Result, triangulate
-from bern_exact.boundary.rotation import SMALL
 from bern_exact.checkers import bounds
 from bern_exact.checkers.as_printed import check_swept_as_printed
 from bern_exact.checkers.chords import Turns
@@ -32,9 +31,11 @@ from bern_exact.convex.cells import Cells
 from bern_exact.convex.frame import convex_frame
 from bern_exact.convex.reduction import Lines, reduce_block
 from bern_exact.corpus.convex import occupied_spiral
+from bern_exact.corpus.draws import hpoints
+from bern_exact.corpus.errata import BY_NAME
 from bern_exact.exact.enclosures import decimal_enclosure
 from bern_exact.exact.points import hpoint
-from bern_exact.exact.similarity import Similarity
+from bern_exact.figures import digits_of
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.subdivided.halving import halving
 from bern_exact.interior.sweep import sweep
@@ -48,10 +49,7 @@ statements = CHAPTER.statements
 
 Place = tuple[int | str | mpq, int | str | mpq]
 
-POLYGONS: dict[str, Sequence[Place]] = {
-    "cutting-line": [(0, 0), (6, 0), (5, 15), (3, 5), (1, 15)],
-    "slit": [(0, 0), (9, 0), (9, 9), (5, 9), (5, 4), ("4.99", 9), (0, 9)],
-    "unit": [(0, 0), (2, 0), (0, 1)],
+POLYGONS: Mapping[str, Sequence[Place]] = {
     "closest-corner": [
         ("0.22", "-0.09"),
         ("-2.3", "-7.68"),
@@ -62,20 +60,12 @@ POLYGONS: dict[str, Sequence[Place]] = {
         ("3.63", "8.23"),
     ],
     "thin-face": [(1, 1), (2, 0), (4, 3)],
-    "end-face": [(0, 0), (2, 0), (2, 1)],
-    "thinner-end-face": [(17, 15), (15, 19), (0, 3)],
-    "end-face-bound": [
-        (0, 0),
-        ("150097/250", "44606/125"),
-        (500, 900),
-        (-50, 900),
-        (-2, 3),
-    ],
+    "right-triangle": [(0, 0), (2, 0), (2, 1)],
     "reflex": [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)],
     "returning": [(0, 0), (1, 0), (3, 1), (1, 3), (0, 1)],
     "bounces": [(1, 1), (4, 0), (6, 0), (6, 8), (5, 8), (3, 6), (2, 4)],
 }
-"""Polygons that refute a sentence."""
+"""Polygons beside those of the corpus (`bern_exact.corpus.errata`): smaller, or further off."""
 
 GROWING = frozenset({(0, 0), (0, 2), (1, 0), (1, 1), (1, 2), (2, 1), (3, 1)})
 """Seven unit squares whose boundary grows if corners go to even coordinates."""
@@ -93,18 +83,17 @@ TALL = 2
 """The height of a face 1 wide that the zig-zag makes thin."""
 
 
-TURNED = ("end-face-bound", "thinner-end-face")
-"""Polygons whose place over the grid matters: the product turns by another angle."""
-
-
 def polygon_of(name: str) -> Polygon:
-    """A polygon, over the grid as it would be if the frame turned by 2 arctan(1/1024)."""
-    points = [hpoint(mpq(x), mpq(y)) for x, y in POLYGONS[name]]
-    if name in TURNED:
-        frame = Similarity.rotation(mpq(1, SMALL))
-        turn = Similarity.rotation(mpq(1, 1024)).then(frame.inverse())
-        points = [turn.apply(p) for p in points]
-    return polygon_from_rings([points])
+    """A polygon, of those above or of the corpus."""
+    if name in BY_NAME:
+        return polygon_from_rings(hpoints(BY_NAME[name].rings))
+    return polygon_from_rings([[hpoint(mpq(x), mpq(y)) for x, y in POLYGONS[name]]])
+
+
+def written(name: str) -> str:
+    """The vertices of a polygon, before it is turned."""
+    ring = BY_NAME[name].given[0] if name in BY_NAME else POLYGONS[name]
+    return ", ".join(f"({digits_of(mpq(x))}, {digits_of(mpq(y))})" for x, y in ring)
 
 
 @cache
@@ -164,7 +153,7 @@ def different_squares() -> str:
 def unit() -> str:
     """s' can be as small as s/3: 8/3 < 2 sqrt 2.  Here b is taken from s'."""
     demand(bool(mpq(8, 3) ** 2 < 8), "(8/3)^2 < 8")
-    return on("unit", 1, "dicing.printed-unit")
+    return on("right-triangle", 1, "dicing.printed-unit")
 
 
 @CHAPTER.refuted(
@@ -210,7 +199,8 @@ def height_b() -> str:
     has its apex either inside, less than 1 above, or at an upper corner, with sqrt 2 as its longest
     side; the height is at most the altitude on any side.
     """
-    square = Rectilinear((((0, 0), (1, 0), (1, 1), (0, 1)),))
+    (ring,) = BY_NAME["unit-square"].rings
+    square = Rectilinear((tuple((int(x), int(y)) for x, y in ring),))
     return failing(named(check_swept_as_printed(sweep(square)), "lemma-3.printed-height"))
 
 
@@ -235,10 +225,10 @@ def zig_zag() -> str:
 )
 def end_face_height() -> str:
     """A projection lands next to the end of e: as near as one likes, while s stays as it is."""
-    claims = run("thinner-end-face", 2).certificate.claims
+    claims = run("thin-end-face", 2).certificate.claims
     thinner = mpq(str(named(claims, "lemma-5.printed-end-height").measured))
     demand(bool(0 < thinner < mpq(1, 5000) ** 2), "less than b/5000")
-    found = on("end-face", 2, "lemma-5.printed-end-height")
+    found = on("right-triangle", 2, "lemma-5.printed-end-height")
     return f"{found}; another triangle: {_brief(thinner)}"
 
 
@@ -248,7 +238,7 @@ def end_face_height() -> str:
 )
 def end_face_bound() -> str:
     """Both distances from the last crossing to e can be tau; then the least height is tau/2."""
-    made = run("end-face-bound", 2)
+    made = run("low-corner", 2)
     merged: Any = made.stages["merged"]
     height = named(check_lemma_5(merged), "lemma-5.height")
     measured = mpq(str(height.measured))
@@ -291,11 +281,13 @@ def _boundary_as_printed(region: Rectilinear) -> Finding:
 def placement() -> str:
     """v = 3 b, d = b/2; v = 2 b allows d = 0; [0, 20] x [0, 2] with x = 10, d = 2."""
     half = mpq(1, 2)
+    *_, top, corner, _ = BY_NAME["subdivided-rectangle"].rings[0]
+    foot = (top[0], 1)
     demand(mpq(3, 2) - 1 <= half <= mpq(3, 2) + 1 and 1 - 1 <= 0 <= 1 + 1, "both are allowed")
     for before, apex, after in (
         ((0, 3), (half, mpq(3, 2)), (0, 0)),
-        ((0, 2), (2, 1), (10, 2)),
-        ((0, 2), (2, 1), (10, 1)),
+        (corner, (2, 1), top),
+        (corner, (2, 1), foot),
     ):
         dot, cross = dot_and_cross(before, apex, after)
         demand(bool(dot + abs(cross) < 0), f"more than 135 degrees at {apex}")

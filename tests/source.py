@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parent.parent / "bern_exact"
@@ -24,6 +25,7 @@ class Module:
         return self.path.endswith("__init__.py")
 
 
+@cache
 def modules() -> list[Module]:
     """Every module of the package, by path."""
     return [_parsed(path) for path in sorted(PACKAGE.rglob("*.py"))]
@@ -36,6 +38,14 @@ def _parsed(path: Path) -> Module:
         parts.pop()
     text = path.read_text(encoding="utf-8")
     return Module(".".join(parts), relative.as_posix(), text, ast.parse(text))
+
+
+def found(
+    look: Callable[[Module], Iterable[str]], among: Iterable[Module] | None = None
+) -> dict[str, list[str]]:
+    """What a look at each module finds, by path, where it finds anything."""
+    seen = ((m.path, list(look(m))) for m in (modules() if among is None else among))
+    return {path: things for path, things in seen if things}
 
 
 def imports(tree: ast.AST) -> Iterator[tuple[str, str | None]]:

@@ -1,4 +1,4 @@
-"""`make demo`, but of a smaller country and into another directory."""
+"""`make demo`, but of a glyph and into another directory."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 @pytest.mark.skipif(shutil.which("make") is None, reason="no make")
 def test_the_demo_triangulates_verifies_and_draws(tmp_path: Path) -> None:
     here = [f"OUT={tmp_path}", f"BIN={Path(sys.executable).parent}"]
-    here += ["POLYGON=examples/ne_united_arab_emirates_50m.json"]
+    here += ["POLYGON=examples/glyph_dejavusans_A.json"]
     # -o: the environment that runs this test is set up already.
     words = ["make", "--no-print-directory", "-o", ".venv/.installed", "demo", *here]
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)

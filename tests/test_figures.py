@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bern_exact.figures import DIGITS, digits_of, root, shortened
+from tests.rationals import fractions
 
 
 def ends(text: str) -> tuple[Fraction, Fraction]:
@@ -27,14 +28,14 @@ def ends(text: str) -> tuple[Fraction, Fraction]:
     return low * power, high * power
 
 
-@given(st.fractions(), st.integers(-60, 60))
+@given(fractions, st.integers(-60, 60))
 def test_the_digits_are_those_of_the_value(value: Fraction, exponent: int) -> None:
     scaled = value * Fraction(10) ** exponent
     low, high = ends(digits_of(mpq(scaled)))
     assert low <= scaled <= high
 
 
-@given(st.fractions().filter(bool), st.integers(-60, 60))
+@given(fractions.filter(bool), st.integers(-60, 60))
 def test_there_are_as_many_digits_as_promised(value: Fraction, exponent: int) -> None:
     scaled = value * Fraction(10) ** exponent
     low, high = ends(digits_of(mpq(scaled)))
@@ -48,7 +49,7 @@ def test_long_fractions_are_shown_by_their_first_digits(p: int, q: int) -> None:
     assert high - low <= Fraction(p, q) / 10 ** (DIGITS - 1)
 
 
-@given(st.fractions(min_value=0).filter(bool))
+@given(fractions.filter(bool).map(abs))
 def test_a_root_squares_to_what_it_is_of(square: Fraction) -> None:
     low, high = ends(root(mpq(square)))
     assert low**2 <= square <= high**2
@@ -58,7 +59,7 @@ def test_what_is_exact_at_that_length_is_shown_exactly() -> None:
     assert digits_of(mpq(1, 8)) == "0.125"
 
 
-@given(st.fractions().filter(bool))
+@given(fractions.filter(bool))
 def test_a_long_value_is_shortened(value: Fraction) -> None:
     text = str(value / 10**40)
     assert len(shortened(text)) < 40 + 2 * DIGITS

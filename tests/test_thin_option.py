@@ -11,13 +11,13 @@ from bern_exact.__main__ import main
 from bern_exact.oracle.judge import judge
 
 ROOT = Path(__file__).parents[1]
-PUZZLE = str(ROOT / "examples" / "mdi_puzzle.json")
+CHIP = str(ROOT / "examples" / "mdi_chip.json")
 
 
 def thin_mesh(tmp_path: Path, *options: str) -> dict:
     target = tmp_path / "thin.mesh.json"
     svg = str(tmp_path / "thin.svg")
-    assert main(["triangulate", PUZZLE, "--thin", *options, "-o", str(target), "--svg", svg]) == 0
+    assert main(["triangulate", CHIP, "--thin", *options, "-o", str(target), "--svg", svg]) == 0
     return json.loads(target.read_text())
 
 
@@ -39,4 +39,4 @@ def test_the_thinned_mesh_is_valid_smaller_and_no_lower(
 def test_a_smaller_angle_is_asked_for_with_thin_only(tmp_path: Path) -> None:
     mesh = thin_mesh(tmp_path, "--thin-angle", "120")
     assert judge(mesh, max_angle="150")["valid"]
-    assert main(["triangulate", PUZZLE, "--thin-angle", "120"]) == 2
+    assert main(["triangulate", CHIP, "--thin-angle", "120"]) == 2

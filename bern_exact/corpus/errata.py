@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from gmpy2 import mpq
 
 from bern_exact.boundary.rotation import SMALL
 from bern_exact.corpus import convex
-from bern_exact.corpus.draws import Ring, Rings, hpoints, nth, places
+from bern_exact.corpus.draws import Rings, hpoints, nth, places
 from bern_exact.corpus.family import Family, without_random
 from bern_exact.exact.similarity import Similarity
 
@@ -27,6 +28,8 @@ class Erratum:
 
     Parameters
     ----------
+    name : str
+        Short, its own.
     claims : tuple of str
         The claims of role "as-printed" that do not hold on it; none if it refutes a sentence about
         regions inside the grid, being such a region itself.
@@ -34,19 +37,25 @@ class Erratum:
         The theorem on whose way they are evaluated.
     says : str
         The sentence that it refutes, and how.
-    rings : Rings
-        The polygon.
+    given : Rings
+        The polygon as it is written here.
+    turned : bool
+        Whether it is to be turned by `_TURN`: its place over the grid matters.
     """
 
+    name: str
     claims: tuple[str, ...]
     theorem: int
     says: str
-    rings: Rings
+    given: Rings
+    turned: bool = False
 
-
-def _turned(ring: Ring) -> Rings:
-    """One ring, turned by `_TURN`."""
-    return places([[_TURN.apply(p) for p in each] for each in hpoints([ring])])
+    @cached_property
+    def rings(self) -> Rings:
+        """The polygon."""
+        if not self.turned:
+            return self.given
+        return places([[_TURN.apply(p) for p in ring] for ring in hpoints(self.given)])
 
 
 def _of_fractions(text: str) -> Rings:
@@ -57,6 +66,7 @@ def _of_fractions(text: str) -> Rings:
 
 ERRATA = (
     Erratum(
+        "cutting-line",
         ("lemma-1.printed-feature-size",),
         1,
         "Refutes Lemma 1, s' >= s/3, with the paper's cutting line across vw at a third: here "
@@ -64,6 +74,7 @@ ERRATA = (
         [[(0, 0), (1, 0), (mpq(99, 100), 3), (mpq(1, 2), mpq(86, 100)), (mpq(1, 100), 3)]],
     ),
     Erratum(
+        "slit",
         ("dicing.printed-different-squares",),
         2,
         'Refutes "each vertex falls into a different square", which is true on each sheet only: '
@@ -71,6 +82,7 @@ ERRATA = (
         [[(0, 0), (9, 0), (9, 9), (5, 9), (5, 4), (mpq(499, 100), 9), (0, 9)]],
     ),
     Erratum(
+        "needle",
         ("dicing.printed-unit",),
         1,
         "Refutes that the grid unit s/8 keeps blocks apart: with s' >= s/3 only, s' may be less "
@@ -78,6 +90,7 @@ ERRATA = (
         [[(0, 0), (10**6, 0), (10**6, 1)]],
     ),
     Erratum(
+        "close-call",
         ("lemma-2.printed-closest-corner", "lemma-2.printed-block-angle"),
         2,
         "Refutes Lemma 2's 135 degrees in blocks where each vertex takes the closest corner of its "
@@ -96,12 +109,14 @@ ERRATA = (
         ),
     ),
     Erratum(
+        "low-triangle",
         ("lemma-2.printed-height",),
         1,
         'Refutes "height almost b/8" near the boundary: tau/sqrt(2) is the natural bound.',
         [[(0, 0), (10, 0), (3, 7)]],
     ),
     Erratum(
+        "unit-square",
         ("lemma-3.printed-height", "lemma-3.printed-zig-zag"),
         1,
         "Refutes Lemma 3's height b, for the diagonal of a unit square leaves b/sqrt(2) only, and "
@@ -109,28 +124,33 @@ ERRATA = (
         [[(0, 0), (1, 0), (1, 1), (0, 1)]],
     ),
     Erratum(
+        "slender",
         ("lemma-5.printed-end-height",),
         2,
         'Refutes Lemma 5\'s "height comes for free" at end faces: with all staircase vertices '
         "projected one of them has a height of about 0.0005 b.",
-        _turned([(26, 31), (32, 12), (40, 13)]),
+        [[(26, 31), (32, 12), (40, 13)]],
+        turned=True,
     ),
     Erratum(
+        "thin-end-face",
         ("lemma-5.printed-end-height",),
         2,
         "Refutes the same even more: a projection next to the end of an edge leaves 0.00016 b.",
-        _turned([(17, 15), (15, 19), (0, 3)]),
+        [[(17, 15), (15, 19), (0, 3)]],
+        turned=True,
     ),
     Erratum(
+        "low-corner",
         ("lemma-2.printed-height",),
         1,
         "Refutes that Lemma 5's pieces keep the height tau/sqrt(2): a long row ends above an edge "
         "of almost 31 degrees, with a height of 0.6263 tau.",
-        _turned(
-            [(0, 0), (mpq(150097, 250), mpq(44606, 125)), (500, 900), (-50, 900), (-2, 3)],
-        ),
+        [[(0, 0), (mpq(150097, 250), mpq(44606, 125)), (500, 900), (-50, 900), (-2, 3)]],
+        turned=True,
     ),
     Erratum(
+        "notched-rectangle",
         (),
         2,
         "Refutes Lemma 6's boundary of length O(n) under a fixed parity, as a region of unit "
@@ -138,6 +158,7 @@ ERRATA = (
         [[(0, 0), (6, 0), (6, 4), (3, 4), (3, 3), (2, 3), (2, 4), (0, 4)]],
     ),
     Erratum(
+        "subdivided-rectangle",
         (),
         2,
         "Refutes the placement of Steiner points in Lemma 7, as a rectangle with subdivisions at "
@@ -145,6 +166,7 @@ ERRATA = (
         [[(0, 0), (20, 0), (20, 2), (10, 2), (0, 2), (0, 1)]],
     ),
     Erratum(
+        "spiral-that-turns",
         ("bounce.printed-return",),
         4,
         "Refutes that once those in the middle have been bounced all subdivision points return to "
@@ -152,6 +174,7 @@ ERRATA = (
         convex.occupied_spiral(6, 2),
     ),
     Erratum(
+        "spiral-of-bounces",
         ("bounce.printed-order",),
         4,
         "Refutes that the triangle may be chosen freely (Section 5): always the farthest first "
@@ -159,6 +182,7 @@ ERRATA = (
         convex.occupied_spiral(16, 2),
     ),
     Erratum(
+        "hexagon",
         ("lemma-10.printed-width", "lemma-12.printed-strips", "lemma-12.printed-separation"),
         4,
         'Refutes the strict "a > max(c, d)" of Lemma 10, by which no line of a uniform grid could '
@@ -166,6 +190,7 @@ ERRATA = (
         convex.regular(6, 2),
     ),
     Erratum(
+        "tiny-edges",
         ("lemma-12.printed-aspect",),
         4,
         "Refutes m' < k' for all seven parts (Section 5.2).",
@@ -173,6 +198,9 @@ ERRATA = (
     ),
 )
 """Every counterexample, in the order of the paper."""
+
+BY_NAME: Mapping[str, Erratum] = {each.name: each for each in ERRATA}
+"""The same."""
 
 
 def erratum(which: int) -> Rings:

@@ -126,9 +126,11 @@ def verdict_on(
     if tolerance is not None and tolerance < 0:
         raise InputError("number", f"the tolerance {tolerance} is negative")
 
+    form = _form_of(mesh)  # made once, though a tolerance asks the judge twice
+
     def judge(polygon: Polygon | None) -> Verdict:
         return _judge(
-            mesh,
+            form,
             polygon,
             max_angle=max_angle,
             min_height_squared=min_height_squared,
@@ -140,7 +142,7 @@ def verdict_on(
     if polygon is None:
         return verdict
     if not verdict.valid:
-        verdict = with_departures(verdict, mesh, polygon, judge, tolerance, limit)
+        verdict = with_departures(verdict, form, polygon, judge, tolerance, limit)
     elif tolerance is not None:
         verdict = replace(verdict, within_tolerance=True)
     return replace(
@@ -151,9 +153,15 @@ def verdict_on(
     )
 
 
-def _judge(mesh: Mesh | ArrayMesh, polygon: Polygon | None, **bounds: Any) -> Verdict:
-    """The verdict of the judge that is faster; both say the same."""
+def _form_of(mesh: Mesh | ArrayMesh) -> Mesh | ArrayMesh:
+    """The mesh in the form of the judge that is faster; both judges say the same."""
     if len(mesh.triangles) < MANY:
-        return verify_mesh(mesh if isinstance(mesh, Mesh) else mesh.mesh, polygon, **bounds)
-    arrays = mesh if isinstance(mesh, ArrayMesh) else ArrayMesh.of_mesh(mesh)
-    return verify_arrays(arrays, polygon, **bounds)
+        return mesh if isinstance(mesh, Mesh) else mesh.mesh
+    return mesh if isinstance(mesh, ArrayMesh) else ArrayMesh.of_mesh(mesh)
+
+
+def _judge(form: Mesh | ArrayMesh, polygon: Polygon | None, **bounds: Any) -> Verdict:
+    """The verdict of the judge for a mesh of this form."""
+    if isinstance(form, Mesh):
+        return verify_mesh(form, polygon, **bounds)
+    return verify_arrays(form, polygon, **bounds)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 import pytest
 from gmpy2 import mpq
@@ -111,6 +112,7 @@ def best_triangulation_value(face: Cuttable, i: int, j: int, demand: Demand) -> 
     """The greatest least height of a piece."""
     ring = face.ring(i, j)
 
+    @cache
     def best(a: int, b: int) -> mpq | None:
         values = []
         for k in range(a + 1, b):
@@ -139,13 +141,11 @@ def fewest_pieces(face: Cuttable, demand: Demand) -> int | None:
     last = len(face.cuts)
     least: dict[int, int] = {last: 0}
     for i in range(last - 1, -2, -1):
-        rest = [
-            least[j]
-            for j in range(i + 1, min(last, i + 1 + MOST_SPARED) + 1)
-            if j in least and best_triangulation_value(face, i, j, demand) is not None
-        ]
-        if rest:
-            least[i] = 1 + min(rest)
+        others = [j for j in range(i + 1, min(last, i + 1 + MOST_SPARED) + 1) if j in least]
+        for j in sorted(others, key=lambda j: least[j]):
+            if best_triangulation_value(face, i, j, demand) is not None:
+                least[i] = 1 + least[j]
+                break
     return least.get(-1)
 
 

@@ -11,7 +11,6 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.merge import merge_boundary
 from bern_exact.boundary.records import Framed, MergedMesh
-from bern_exact.boundary.rotation import SMALL
 from bern_exact.checkers import bounds
 from bern_exact.checkers.findings import Finding
 from bern_exact.checkers.lemma_4 import check_lemma_4
@@ -19,37 +18,35 @@ from bern_exact.checkers.lemma_5 import check_lemma_5
 from bern_exact.checkers.theorem_2 import check_theorem_2
 from bern_exact.checkers.theorem_3 import check_theorem_3
 from bern_exact.checkers.warping import check_faces
+from bern_exact.corpus.draws import hpoints
+from bern_exact.corpus.errata import BY_NAME
 from bern_exact.exact.angle_bound import AngleBound, parse_angle_bound
-from bern_exact.exact.similarity import Similarity
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.rectilinear import interior
 from bern_exact.oracle.fast import verify_mesh
 from bern_exact.plane.feature_size import FeatureSize
 from bern_exact.plane.mesh import Mesh
 from bern_exact.plane.polygon import Polygon
+from bern_exact.plane.validation import polygon_from_rings
 from bern_exact.theorems.prepare import prepare
 from bern_exact.theorems.stages import Log, Silent
 from bern_exact.theorems.theorem_2 import theorem_2
 from bern_exact.theorems.threshold import threshold_for
-from tests.checkers.samples import THINGS, polygon
-
-_TURN = Similarity.rotation(mpq(1, 1024)).then(Similarity.rotation(mpq(1, SMALL)).inverse())
+from tests.checkers.samples import THINGS
 
 
-def turned(thing: Polygon) -> Polygon:
-    """A polygon that lies over the grid as it would if the frame turned by 2 arctan(1/1024)."""
-    return thing.with_points([_TURN.apply(p) for p in thing.points])
+def refuting(name: str) -> Polygon:
+    """A polygon that refutes a sentence of the paper."""
+    return polygon_from_rings(hpoints(BY_NAME[name].rings))
 
 
-SLENDER = turned(polygon([(26, 31), (32, 12), (40, 13)]))
+SLENDER = refuting("slender")
 """It puts every claim to the test: an edge clips the staircase of another, corners are lopped."""
 
-END_FACE = turned(polygon([(17, 15), (15, 19), (0, 3)]))
+END_FACE = refuting("thin-end-face")
 """Every diagonal drawn, an end face has height 0.00016 b: a projection next to the end of e."""
 
-LOW_CORNER = turned(
-    polygon([(0, 0), (mpq(150097, 250), mpq(44606, 125)), (500, 900), (-50, 900), (-2, 3)])
-)
+LOW_CORNER = refuting("low-corner")
 """A long row ends above an edge of almost 31 degrees: a height of 0.6263 tau, not tau/sqrt 2."""
 
 SIMPLE = {

@@ -8,20 +8,17 @@ from gmpy2 import mpq
 from bern_exact import triangulate
 from bern_exact.checkers.lemma_6 import check_lemma_6_as_printed
 from bern_exact.corpus.draws import hpoints
-from bern_exact.corpus.errata import ERRATA, Erratum
+from bern_exact.corpus.errata import BY_NAME, ERRATA, Erratum
 from bern_exact.corpus.families import FAMILIES, drawn
 from bern_exact.exact.angles import ANGLE_135, largest_angle
 from bern_exact.exact.points import hpoint
 from bern_exact.interior.subdivided.halving import halving
 from bern_exact.plane.validation import polygon_from_rings
-from tests.checkers.merged_samples import END_FACE, LOW_CORNER, SLENDER
 from tests.interior.regions import unit_region
 from tests.plane.by_definition import encloses
 
 
-@pytest.mark.parametrize(
-    "erratum", [e for e in ERRATA if e.claims], ids=lambda e: f"{e.claims[0]}-{len(e.rings[0])}"
-)
+@pytest.mark.parametrize("erratum", [e for e in ERRATA if e.claims], ids=lambda e: e.name)
 def test_the_sentence_is_false_and_the_guarantees_hold(erratum: Erratum) -> None:
     polygon = polygon_from_rings(hpoints(erratum.rings))
     claims = triangulate(polygon, theorem=erratum.theorem, as_printed=True).certificate.claims
@@ -31,7 +28,7 @@ def test_the_sentence_is_false_and_the_guarantees_hold(erratum: Erratum) -> None
 
 
 def test_the_notched_rectangle_refutes_lemma_6_as_a_region() -> None:
-    (ring,) = [e.rings[0] for e in ERRATA if "Lemma 6" in e.says]
+    ring = BY_NAME["notched-rectangle"].rings[0]
     cells = frozenset(
         (i, j)
         for i in range(6)
@@ -46,7 +43,7 @@ def test_the_notched_rectangle_refutes_lemma_6_as_a_region() -> None:
 
 def test_the_rectangle_that_refutes_lemma_7() -> None:
     """Both triangles beside the Steiner point (2, 1) have an angle of more than 135 degrees."""
-    (ring,) = [hpoints(e.rings)[0] for e in ERRATA if "Lemma 7" in e.says]
+    (ring,) = hpoints(BY_NAME["subdivided-rectangle"].rings)
     corner, top, right, steiner = ring[4], ring[3], hpoint(10, 1), hpoint(2, 1)
     for far in (top, right):
         assert not largest_angle(corner, steiner, far)[0].is_at_most(ANGLE_135)
@@ -58,7 +55,5 @@ def test_each_says_what_it_refutes() -> None:
         assert drawn(FAMILIES["errata"], "s", {"which": which}).comment == erratum.says
 
 
-def test_the_polygons_of_the_tests_of_lemma_5_are_among_them() -> None:
-    """tests/boundary shows there what their comments say of heights."""
-    found = [tuple(hpoints(erratum.rings)[0]) for erratum in ERRATA]
-    assert {polygon.points for polygon in (SLENDER, END_FACE, LOW_CORNER)} <= set(found)
+def test_each_has_its_own_name() -> None:
+    assert len(BY_NAME) == len(ERRATA)

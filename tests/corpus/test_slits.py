@@ -42,7 +42,7 @@ def test_the_feature_size_is_the_width(family: Family, exponent: int) -> None:
 
 
 @every
-@pytest.mark.parametrize("exponent", [1, 2, 3, 6, 9, 30])
+@pytest.mark.parametrize("exponent", [1, 3, 9, 30])
 def test_the_aspect_ratio_does_not_matter(family: Family, exponent: int) -> None:
     made = proved_without_large_angles(polygon(family, 10**exponent))
     assert len(made.assembled.mesh.triangles) <= MOST[family]

@@ -8,12 +8,13 @@ from gmpy2 import mpq
 from hypothesis import strategies as st
 
 from bern_exact.exact.points import HPoint, hpoint
+from tests.rationals import few_fractions, fractions
 
 Point = tuple[Fraction, Fraction]
 
 # Small coordinates meet often on lines and in angles; the others are there for their size.
-small = st.fractions(min_value=-3, max_value=3, max_denominator=3)
-coordinates = st.one_of(small, small, st.fractions(), st.integers(-(10**40), 10**40).map(Fraction))
+small = few_fractions(-3, 3, 3)
+coordinates = st.one_of(small, small, fractions, st.integers(-(10**40), 10**40).map(Fraction))
 points = st.tuples(coordinates, coordinates)
 
 

@@ -15,9 +15,10 @@ from bern_exact.exact.angles import Angle
 from bern_exact.exact.enclosures import degrees_bounds, degrees_enclosure
 from bern_exact.exact.errors import InputError
 from bern_exact.oracle import judge as lone
+from tests.rationals import many_fractions
 
-squares = st.fractions(min_value=-1, max_value=1, max_denominator=10**6)
-degrees = st.fractions(min_value=0, max_value=180, max_denominator=10**4)
+squares = many_fractions(-1, 1, 10**6)
+degrees = many_fractions(0, 180, 10**4)
 
 
 def angle(square: Fraction) -> Angle:

@@ -24,6 +24,7 @@ from bern_exact.exact.enclosures import (
     sqrt_enclosure,
 )
 from bern_exact.exact.numbers import parse_rational
+from tests.rationals import fractions_between
 
 
 def exactly(value: Fraction) -> mpq:
@@ -38,13 +39,13 @@ def number(q: mpq) -> mpmath.mpf:
     return mpmath.mpf(int(q.numerator)) / int(q.denominator)
 
 
-rationals = st.tuples(st.fractions(min_value=-50, max_value=50), st.integers(-40, 40)).map(scaled)
+rationals = st.tuples(fractions_between(-50, 50), st.integers(-40, 40)).map(scaled)
 positive = rationals.map(abs).filter(bool)
 precisions = st.integers(1, 300)
 digit_counts = st.integers(1, 40)
 signs = st.sampled_from([-1, 1])
 squares = st.one_of(
-    st.fractions(min_value=0, max_value=1).map(exactly),
+    fractions_between(0, 1).map(exactly),
     st.tuples(st.integers(1, 10**6), st.integers(7, 60)).map(lambda t: mpq(t[0]) / mpq(10) ** t[1]),
     st.tuples(st.integers(1, 10**6), st.integers(7, 60)).map(
         lambda t: 1 - mpq(t[0]) / mpq(10) ** t[1]
@@ -127,7 +128,7 @@ def test_arctangent_is_odd(q: mpq, bits: int) -> None:
     assert arctan_bounds(-q, bits) == (-high, -low)
 
 
-@given(st.fractions(min_value=-1000, max_value=1000).map(exactly), precisions)
+@given(fractions_between(-1000, 1000).map(exactly), precisions)
 def test_cosines_lie_within_narrow_bounds(degrees: mpq, bits: int) -> None:
     low, high = cos_degrees_bounds(degrees, bits)
     value = mpmath.cos(number(degrees) * mpmath.pi / 180)

@@ -20,8 +20,9 @@ from bern_exact.exact.numbers import (
     parse_rational,
     rational_from_json,
 )
+from tests.rationals import fractions
 
-rationals = st.fractions()
+rationals = fractions
 decimals = st.from_regex(r"[+-]?[0-9]{1,25}\.[0-9]{0,25}(?:[eE][+-]?[0-9]{1,2})?", fullmatch=True)
 
 

@@ -21,6 +21,7 @@ from bern_exact.exact.points import (
 )
 from bern_exact.exact.predicates import side
 from tests.exact.plain import Point, cross, exactly, homogeneous, minus, plain, points, sign, turn
+from tests.rationals import fractions, fractions_between
 
 
 @given(points)
@@ -77,13 +78,13 @@ def test_lines_meet_where_both_pass(p: Point, q: Point, r: Point, s: Point) -> N
         assert side(first, common) == side(second, common) == 0
 
 
-@given(points, points, st.fractions())
+@given(points, points, fractions)
 def test_along_interpolates(p: Point, q: Point, t: Fraction) -> None:
     x, y = coordinates(along(homogeneous(p), homogeneous(q), exactly(t)))
     assert (plain(x), plain(y)) == (p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]))
 
 
-@given(points, points, st.fractions(min_value=0, max_value=1))
+@given(points, points, fractions_between(0, 1))
 def test_along_is_the_same_from_either_end(p: Point, q: Point, t: Fraction) -> None:
     assume(p != q)
     u, v = homogeneous(p), homogeneous(q)

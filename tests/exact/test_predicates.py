@@ -6,7 +6,6 @@ from fractions import Fraction
 
 from gmpy2 import mpq
 from hypothesis import assume, given
-from hypothesis import strategies as st
 
 from bern_exact.exact.points import line_through
 from bern_exact.exact.predicates import (
@@ -31,6 +30,7 @@ from tests.exact.plain import (
     square,
     turn,
 )
+from tests.rationals import fractions
 
 
 @given(points, points, points)
@@ -44,7 +44,7 @@ def test_orientation_turns_with_its_points(p: Point, q: Point, r: Point) -> None
     assert orientation(a, b, c) == orientation(b, c, a) == -orientation(b, a, c)
 
 
-@given(points, points, st.fractions())
+@given(points, points, fractions)
 def test_points_of_a_line_do_not_turn(p: Point, q: Point, t: Fraction) -> None:
     r = (p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]))
     assert orientation(*map(homogeneous, (p, q, r))) == 0

@@ -12,10 +12,11 @@ from bern_exact.exact.points import coordinates
 from bern_exact.exact.predicates import orientation, squared_distance
 from bern_exact.exact.similarity import Similarity
 from tests.exact.plain import Point, exactly, homogeneous, plain, points
+from tests.rationals import fractions
 
 Pair = tuple[Fraction, Fraction]
 
-pairs = st.tuples(st.fractions(), st.fractions())
+pairs = st.tuples(fractions, fractions)
 alphas = pairs.filter(lambda pair: pair != (0, 0))
 
 
@@ -68,7 +69,7 @@ def test_orientations_and_angles_stay(m: Similarity, p: Point, q: Point, r: Poin
         assert angle_at(*before) == angle_at(*after)
 
 
-@given(st.fractions())
+@given(fractions)
 def test_rotations_keep_lengths_and_have_the_tangent_of_the_half_angle(t: Fraction) -> None:
     turn = Similarity.rotation(exactly(t))
     assert turn.squared_scale == 1

@@ -28,6 +28,7 @@ from bern_exact.formats.polygon_json import dump_polygon
 from bern_exact.oracle.api import verify
 from bern_exact.oracle.arguments import polygon_of
 from bern_exact.plane.mesh import Mesh
+from tests.rationals import many_fractions
 
 HOOK: dict[str, Any] = {
     "content_type": "CG_SHOP_2025_Instance",
@@ -146,7 +147,7 @@ def test_other_documents_are_none(document: Any) -> None:
 # ---------------------------------------------------------------- instances out
 
 
-rationals = st.fractions(min_value=-50, max_value=50, max_denominator=60)
+rationals = many_fractions(-50, 50, 60)
 
 
 @given(st.lists(rationals, min_size=2, max_size=2), st.integers(1, 60))

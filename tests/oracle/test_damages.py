@@ -70,7 +70,7 @@ JUDGES: dict[str, Judge] = {
 }
 
 # A judge in plain Python gets one in so many of the damages on a mesh of this many triangles.
-PATIENCE: dict[Judge, int] = {by_lone_judge: 2}
+PATIENCE: dict[Judge, int] = {by_lone_judge: 1}
 WHOLE = ("corpus-plate/refined", "threshold/refined")  # small meshes of which it gets all
 every_judge = pytest.mark.parametrize("judge", JUDGES.values(), ids=JUDGES)
 

@@ -20,8 +20,9 @@ from bern_exact.plane.array_mesh import (
     index_array,
 )
 from bern_exact.plane.mesh import Mesh
+from tests.rationals import fractions
 
-rationals = st.fractions().map(lambda q: mpq(q.numerator, q.denominator))
+rationals = fractions.map(lambda q: mpq(q.numerator, q.denominator))
 doubles = st.floats(allow_nan=False, allow_infinity=False)
 
 

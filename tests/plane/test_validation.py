@@ -82,13 +82,13 @@ small = st.tuples(st.integers(0, 5), st.integers(0, 5)).map(lambda p: grid_point
 tiny = st.tuples(st.integers(0, 3), st.integers(0, 3)).map(lambda p: grid_point(*p))
 
 
-@settings(max_examples=700)
+@settings(max_examples=350)
 @given(st.lists(small, max_size=8))
 def test_one_ring(corners: list[HPoint]) -> None:
     check([corners])
 
 
-@settings(max_examples=700)
+@settings(max_examples=350)
 @given(st.lists(small, min_size=3, max_size=7, unique=True))
 @example(ring((0, 0), (4, 0), (4, 4), (2, 0), (0, 4)))
 @example(ring((0, 0), (4, 0), (4, 4), (3, 4), (3, 0), (1, 0), (1, 4), (0, 4)))
@@ -96,7 +96,7 @@ def test_one_ring_of_distinct_vertices(corners: list[HPoint]) -> None:
     check([corners])
 
 
-@settings(max_examples=500)
+@settings(max_examples=250)
 @given(st.lists(st.lists(tiny, min_size=3, max_size=4, unique=True), min_size=2, max_size=3))
 def test_several_rings(rings: Rings) -> None:
     check(rings)

@@ -21,6 +21,7 @@ from bern_exact.oracle.filters import (
     signs_of_two_products,
 )
 from proofs import float_filter
+from tests.rationals import few_fractions, fractions, fractions_between
 
 tame = st.one_of(
     st.just(0.0),
@@ -29,7 +30,7 @@ tame = st.one_of(
     st.integers(-50, 50).map(float),
     st.integers(-(2**53), 2**53).map(float),
 )
-fractions = st.fractions(-1, 1, max_denominator=8)
+parts = few_fractions(-1, 1, 8)
 
 
 @st.composite
@@ -37,7 +38,7 @@ def held(draw: st.DrawFn) -> tuple[Ball, Fraction]:
     """A ball, and a number that it holds, often at its very end."""
     value = draw(tame)
     radius = abs(value) * draw(st.sampled_from([0.0, 2.0**-53, 2.0**-52, 2.0**-20, 0.5, 2.0]))
-    x = Fraction(value) + draw(fractions) * Fraction(radius)
+    x = Fraction(value) + draw(parts) * Fraction(radius)
     return Ball(np.array([value]), np.array([radius])), x
 
 
@@ -93,7 +94,7 @@ def test_signs_of_two_products(x: float, y: float, z: float, w: float, near: boo
     assert sign == (exact > 0) - (exact < 0)
 
 
-@given(st.fractions(), st.integers(-1200, 1200))
+@given(fractions, st.integers(-1200, 1200))
 def test_doubles_around_a_rational(x: Fraction, power: int) -> None:
     x *= Fraction(2) ** power
     low, high = doubles_around(mpq(x.numerator, x.denominator), mpq(x.numerator, x.denominator))
@@ -103,7 +104,7 @@ def test_doubles_around_a_rational(x: Fraction, power: int) -> None:
         assert high <= np.nextafter(np.nextafter(low, np.inf), np.inf)
 
 
-@given(st.fractions(-1, 1))
+@given(fractions_between(-1, 1))
 def test_cotangents_are_between_their_bounds(square: Fraction) -> None:
     s = mpq(square.numerator, square.denominator)
     low, high = cotangent_bounds(s, s)

@@ -16,16 +16,18 @@ SLOW = 20_000
 LONG = 25_000
 """Bytes of a file from which on it takes a minute: `make test-long`."""
 
+ANOTHER = {"glyph_dejavuserif_ampersand"}
+"""Long as well: there are two smaller glyphs with holes."""
+
 
 def cases(paths: Iterable[Path]) -> list[Any]:
     """Each as a parameter of a test, marked."""
-    return [
-        pytest.param(path, id=path.stem, marks=list(_marks(path.stat().st_size))) for path in paths
-    ]
+    return [pytest.param(path, id=path.stem, marks=list(_marks(path))) for path in paths]
 
 
-def _marks(size: int) -> Iterable[pytest.MarkDecorator]:
-    if size > LONG:
+def _marks(path: Path) -> Iterable[pytest.MarkDecorator]:
+    size = path.stat().st_size
+    if size > LONG or path.stem in ANOTHER:
         yield pytest.mark.long
     elif size > SLOW:
         yield pytest.mark.slow

@@ -27,7 +27,8 @@ from tests.thinning.samples import DEGREES_150, SQUARE, example, raw_mesh, wheel
 OUTLINES = [
     ("mdi_puzzle", 1),
     ("mdi_puzzle", 2),
-    ("ne_united_arab_emirates_50m", 3),
+    ("us_county_51015_augusta", 3),
+    pytest.param("ne_united_arab_emirates_50m", 3, marks=pytest.mark.long),
     pytest.param("ne_italy_50m", 3, marks=pytest.mark.long),
 ]
 
@@ -66,7 +67,7 @@ def test_random_polygons(kind: str, theorem: int) -> None:
 
 
 def test_thinning_again_removes_nothing() -> None:
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("mdi_chip", 3)
     once = thin(mesh, polygon, max_angle=bound, thin_angle=parse_angle_bound("120")).mesh
     assert len(once.vertices) > polygon.n
     again = thin(once, polygon, max_angle=bound, thin_angle=parse_angle_bound("120"))
@@ -76,7 +77,7 @@ def test_thinning_again_removes_nothing() -> None:
 
 @pytest.mark.parametrize("degrees", ["140", "120", "100.5"])
 def test_a_smaller_angle_on_new_triangles(degrees: str) -> None:
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("mdi_chip", 3)
     asked = parse_angle_bound(degrees)
     thinned = thinned_and_judged(polygon, mesh, bound, asked)
     without = thin(mesh, polygon, max_angle=bound)
@@ -101,7 +102,7 @@ def test_two_that_can_only_go_together() -> None:
 
 
 def test_a_larger_angle_than_the_bound_changes_nothing() -> None:
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("mdi_chip", 3)
     wider = thin(mesh, polygon, max_angle=bound, thin_angle=parse_angle_bound("170"))
     assert wider.mesh == thin(mesh, polygon, max_angle=bound).mesh
 
@@ -148,7 +149,7 @@ def moved(points: tuple[HPoint, ...], move: Callable[[HPoint], HPoint]) -> tuple
     ids=["translated", "scaled", "turned"],
 )
 def test_similar_meshes_are_thinned_alike(move: Similarity) -> None:
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("mdi_chip", 3)
     image = polygon.with_points([move.apply(p) for p in polygon.points])
     there = thin(Mesh(moved(mesh.vertices, move.apply), mesh.triangles), image, max_angle=bound)
     here = thin(mesh, polygon, max_angle=bound)
@@ -156,21 +157,21 @@ def test_similar_meshes_are_thinned_alike(move: Similarity) -> None:
 
 
 def test_the_order_of_the_triangles_does_not_matter() -> None:
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("mdi_chip", 3)
     turned = tuple((b, c, a) for a, b, c in reversed(mesh.triangles))
     there = thin(Mesh(mesh.vertices, turned), polygon, max_angle=bound)
     assert there.mesh == thin(mesh, polygon, max_angle=bound).mesh
 
 
 def test_the_triangles_are_sorted() -> None:
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("mdi_chip", 3)
     triangles = thin(mesh, polygon, max_angle=bound).mesh.triangles
     assert all(a < b for a, b in pairwise(triangles))
     assert all(t[0] == min(t) for t in triangles)
 
 
 def test_another_polygon_is_refused() -> None:
-    polygon, mesh, bound = example("mdi_puzzle", 2)
+    polygon, mesh, bound = example("mdi_chip", 3)
     with pytest.raises(InputError) as refused:
         thin(mesh, SQUARE, max_angle=bound)
     assert refused.value.kind == "schema"

@@ -15,6 +15,7 @@ from bern_exact.checkers.lemma_7 import check_lemma_7
 from bern_exact.checkers.lemma_8 import check_lemma_8
 from bern_exact.interior.records import Rectilinear
 from bern_exact.interior.subdivided.choice import Method, partition
+from bern_exact.interior.subdivided.records import Partition
 from bern_exact.interior.subdivided.rectangle import tile, triangles_of
 from bern_exact.theorems.theorem_1 import theorem_1
 from tests.interior.regions import surface_vertices
@@ -33,23 +34,28 @@ def interior_of(name: str) -> Rectilinear:
     return region
 
 
+@cache
+def cut_by(name: str, method: Method) -> Partition:
+    return partition(interior_of(name), method)
+
+
 @real
 def test_bridges_keep_lemma_6(name: str) -> None:
-    halved = partition(interior_of(name), "bridges")
+    halved = cut_by(name, "bridges")
     demand(check_lemma_6(halved))
     demand(check_lemma_7(tile(halved)))
 
 
 @real
 def test_strips_keep_lemma_8(name: str) -> None:
-    cut = partition(interior_of(name), "strips")
+    cut = cut_by(name, "strips")
     demand(check_lemma_8(cut))
     demand(check_lemma_7(tile(cut)))
 
 
 @real
 def test_the_best_has_the_fewest_triangles(name: str) -> None:
-    made = {method: partition(interior_of(name), method) for method in get_args(Method)}
+    made = {method: cut_by(name, method) for method in get_args(Method)}
     triangles = {
         method: sum(triangles_of(rectangle) for rectangle in cut.rectangles)
         for method, cut in made.items()
@@ -61,6 +67,6 @@ def test_the_best_has_the_fewest_triangles(name: str) -> None:
 @real
 def test_at_most_four_triangles_a_vertex(name: str) -> None:
     for method in ("bridges", "strips", "best"):
-        made = partition(interior_of(name), method)
+        made = cut_by(name, method)
         triangles = sum(triangles_of(rectangle) for rectangle in made.rectangles)
         assert triangles <= 4 * surface_vertices(made)
