@@ -8,6 +8,7 @@ from typing import Any
 from gmpy2 import mpq
 
 from bern_exact.boundary.records import Framed, MergedMesh, Warped
+from bern_exact.checkers.places import cotangent
 from bern_exact.checkers.printed_cut import printed_boxes
 from bern_exact.checkers.printed_ends import best_height, diagonal_foot, end_faces
 from bern_exact.checkers.rings import places_of
@@ -175,16 +176,20 @@ def zig_zag() -> tuple[str, str, list[Layer]]:
     )
 
 
-def _merged(name: str, title: str, note: str) -> tuple[str, str, list[Layer]]:
-    """The merged face with the thinnest end face: all diagonals, the end face in red."""
+def _merged(
+    name: str, title: str, note: str, badness: Callable[[Sequence[HPoint]], mpq] = best_height
+) -> tuple[str, str, list[Layer]]:
+    """The merged face with the worst end face: all diagonals, the end face in red."""
     mesh: Any = printed.run(name, 2).stages["merged"]
-    return title, note, list(_end_face_layers(mesh))
+    return title, note, list(_end_face_layers(mesh, badness))
 
 
-def _end_face_layers(mesh: MergedMesh) -> Iterable[Layer]:
+def _end_face_layers(
+    mesh: MergedMesh, badness: Callable[[Sequence[HPoint]], mpq]
+) -> Iterable[Layer]:
     lines, places = mesh.warped.traced.diced.framed.polygon.lines, places_of(mesh)
     faces = [
-        (best_height(end), end, item.merged)
+        (badness(end), end, item.merged)
         for item in mesh.projected
         for end in end_faces(item.merged, lines[item.merged.edge], places)
     ]
@@ -202,6 +207,31 @@ def end_face() -> tuple[str, str, list[Layer]]:
         "right-triangle",
         "Lemma 5: an end face",
         "a merged face with every diagonal; red: its thinnest end face",
+    )
+
+
+def obtuse_end_face() -> tuple[str, str, list[Layer]]:
+    """The row ends on e at the corner with more than 150 degrees."""
+    return _merged(
+        "obtuse-end-face",
+        "Lemma 5: more than 150 degrees",
+        "a merged face with every diagonal; red: an end face with a corner of 150.9 degrees",
+        lambda end: min(
+            mpq(*cotangent(end[i - 1], p, end[i + 1 - len(end)])) for i, p in enumerate(end)
+        ),
+    )
+
+
+def three_corners() -> tuple[str, str, list[Layer]]:
+    """The face, much shortened, and the two edges."""
+    walls = [[("-0.35", "-3"), ("0.2", "3")], [("7", "-2.1"), ("12", "2.9")]]
+    return (
+        "Lemma 2: three corners move",
+        "red: a face (45 b wide, here shortened) between two edges that pass near three corners",
+        [
+            ("bounced", [_box(0, 0, 9, 1)], True),
+            ("line", [*(ring(wall) for wall in walls)], False),
+        ],
     )
 
 
@@ -341,7 +371,9 @@ DRAWINGS: Mapping[str, Drawing] = {
     "reflex": reflex,
     "unit-square": unit_square,
     "zig-zag": zig_zag,
+    "three-corners": three_corners,
     "end-face": end_face,
+    "obtuse-end-face": obtuse_end_face,
     "low-corner": low_corner,
     "growing-boundary": growing_boundary,
     "placement": placement,

@@ -110,6 +110,22 @@ ERRATA: Sequence[Erratum] = (
     ),
     Erratum(
         "Section 2, proof of Lemma 2",
+        "When the face warps, at most two of its vertices move, moving at most b/8.",
+        "printed.two_vertices_move",
+        "An octagon: in a slanted corridor 45 b wide a face 1 b high has one corner near the wall "
+        "on its right and two near the steep wall on its left.",
+        "At most two edges cross the rectangle, but others may pass within b/8 of its corners.",
+        "The proof needs this nowhere: faces stay convex, with at most six sides, and sides on at "
+        "most two edges of P', whose slopes have the same sign.",
+        (
+            "outside_blocks.faces_before_warping",
+            "outside_blocks.faces_after_warping",
+            "outside_blocks.sides_by_moving",
+        ),
+        "three-corners",
+    ),
+    Erratum(
+        "Section 2, proof of Lemma 2",
         "We may assume that [...] the angle counterclockwise between this edge and the other "
         "measures between 90 and 180.",
         "printed.reflex_vertices",
@@ -152,8 +168,22 @@ ERRATA: Sequence[Erratum] = (
         "A projection can land next to the end of e; nothing keeps them apart.",
         "The first and the last diagonal may be left out; the fewest diagonals are drawn that "
         "keep both bounds.",
-        ("lemma_5.every_merged_face", "lemma_5.end_face_height"),
+        ("merged_faces.height_of_merged_faces", "merged_faces.half_of_tau"),
         "end-face",
+    ),
+    Erratum(
+        "Section 3, proof of Lemma 5",
+        "End faces must be convex quadrilaterals or triangles with maximum angle 150. Hence either "
+        "diagonal triangulates a quadrilateral end face with maximum angle at most 150.",
+        "printed.end_face_angle",
+        f"The triangle {written('obtuse-end-face')}: a convex end face with 150.9 degrees where a "
+        "row ends on e.",
+        "e leaves the block through its upper side with any slope above 1/2: there the end face "
+        "has up to 180 degrees - arctan(1/2) = 153.43. The diagonal to the other side leaves "
+        "this angle whole.",
+        "The diagonal from that corner, which splits the angle; it always does.",
+        ("lemma_4.end_faces_have_four_sides", "merged_faces.every_merged_face"),
+        "obtuse-end-face",
     ),
     Erratum(
         "Section 3, Lemma 5",
@@ -324,7 +354,7 @@ REMARKS: Sequence[tuple[str, str]] = (
     ),
     (
         "End faces of at most four sides",
-        "No counterexample is known with all diagonals drawn (`printed.end_faces`, open).",
+        "True with all diagonals drawn (`lemma_4.end_faces_have_four_sides`).",
     ),
     (
         "Blocks of 2 x 2 squares",

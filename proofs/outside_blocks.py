@@ -15,11 +15,8 @@ from __future__ import annotations
 import sympy
 from gmpy2 import mpq
 
-from bern_exact.api import Result, triangulate
 from bern_exact.checkers import bounds
 from bern_exact.checkers.bounds_grid import FACTOR
-from bern_exact.corpus.over_the_grid import moved_back
-from bern_exact.plane.validation import polygon_from_rings
 from proofs.algebra import demand_equal, demand_nonnegative, symbols
 from proofs.statement import IDENTITY, Chapter, demand
 
@@ -181,34 +178,3 @@ def sides_by_moving() -> str:
     demand(bool(common < 4 and 2 * (8 + common) < FACTOR**2), "sqrt 2 (1 + tau) + 2 sqrt 2 < 8")
     demand(bool(tau * (1 + 4 * tau) < 1), "f rises by less than 1")
     return "row y' would have one more grid vertex, in the block of an end of e"
-
-
-THREE_MOVED = (
-    ("-60", "-105.06"),
-    ("46.5", "1.44"),
-    ("100", "750"),
-    ("100", "758"),
-    ("47.39", "760"),
-    ("-1.5", "-22.24"),
-    ("-90", "-22"),
-    ("-106", "-60"),
-)
-"""Over the grid: the face [0, 45] x [0, 1] lies between two edges, near three of its corners."""
-
-
-def three_moved() -> Result:
-    """The construction of Theorem 1 on that polygon."""
-    points = moved_back([(mpq(x), mpq(y)) for x, y in THREE_MOVED])
-    return triangulate(polygon_from_rings([points]), theorem=1, as_printed=True)
-
-
-@CHAPTER.refuted(
-    "Section 2, proof of Lemma 2",
-    '"When the face warps, at most two of its vertices move."',
-)
-def two_corners_move() -> str:
-    """Two corners move onto the steep edge on the left, one onto the edge on the right."""
-    claims = {claim.claim: claim for claim in three_moved().certificate.claims}
-    moved = claims["lemma-2.printed-moved"]
-    demand(not moved.holds and moved.measured == 3, "three corners of a face move")
-    return "the face [0, 45] x [0, 1], over the grid: three of its corners move"

@@ -182,6 +182,12 @@ def almost_an_eighth() -> str:
     return f"(best height of a face/b)^2 = {_brief(best)}, less than 0.091^2; printed 1/64"
 
 
+@CHAPTER.refuted("Lemma 2", "When a face outside blocks warps, at most two of its vertices move.")
+def two_vertices_move() -> str:
+    """Two corners of a rectangle move onto a steep edge on its left, one onto that on its right."""
+    return on("three-corners", 1, "lemma-2.printed-moved")
+
+
 @CHAPTER.refuted(
     "Lemma 2, Figure 2", "The angle between the two edges at v measures between 90 and 180 degrees."
 )
@@ -247,10 +253,12 @@ def end_face_bound() -> str:
     return f"(height/tau)^2 = {_brief(measured / bounds.TAU**2)}, not 1/2; tau/2 is kept"
 
 
-@CHAPTER.open("Lemma 5", "End faces are convex quadrilaterals or triangles.")
-def end_faces() -> str:
-    """With every diagonal drawn; with some left out the product's pieces have more sides."""
-    return "no counterexample in campaigns (`lemma-5.printed-end-faces`); argued in the paper only"
+@CHAPTER.refuted(
+    "Lemma 5", "End faces have maximum angle 150, so that either diagonal triangulates them."
+)
+def end_face_angle() -> str:
+    """A row ends on an edge of slope between 1/2 and tan 30; the limit is 180 - arctan(1/2)."""
+    return on("obtuse-end-face", 2, "lemma-5.printed-end-angle")
 
 
 @CHAPTER.refuted(

@@ -116,12 +116,31 @@ ERRATA = (
         [[(0, 0), (10, 0), (3, 7)]],
     ),
     Erratum(
+        "three-corners",
+        ("lemma-2.printed-moved",),
+        1,
+        "Refutes that at most two vertices of a face move when it warps: the corridor 45 b wide is "
+        "1 b high there, and both its walls pass within tau of corners, one of them twice.",
+        _of_fractions(
+            "-6027/100 -10567/100 4623/100 83/100 9973/100 74939/100 9973/100 75739/100 "
+            "4712/100 75939/100 -177/100 -2285/100 -9027/100 -2261/100 -10627/100 -6061/100"
+        ),
+    ),
+    Erratum(
         "unit-square",
         ("lemma-3.printed-height", "lemma-3.printed-zig-zag"),
         1,
         "Refutes Lemma 3's height b, for the diagonal of a unit square leaves b/sqrt(2) only, and "
         "the zig-zag, which meets a late subdivision point too early.",
         [[(0, 0), (1, 0), (1, 1), (0, 1)]],
+    ),
+    Erratum(
+        "obtuse-end-face",
+        ("lemma-5.printed-end-angle",),
+        2,
+        "Refutes that end faces have a maximum angle of 150 degrees, so that either diagonal "
+        "triangulates them: where a row ends on an edge of slope above 1/2, up to 153.43.",
+        [[(3, 2), (9, 9), (0, 4)]],
     ),
     Erratum(
         "slender",
