@@ -13,7 +13,6 @@ from gmpy2 import mpq
 
 from bern_exact.checkers import bounds
 from proofs.algebra import demand_equal, demand_nonnegative, symbols
-from proofs.merged_faces import stretch
 from proofs.statement import IDENTITY, Chapter, demand
 
 CHAPTER = Chapter()
@@ -112,25 +111,31 @@ def least_in_box(area: mpq, width: mpq, height: mpq) -> mpq:
 
 @CHAPTER.proved(
     "Lemma 2, heights",
-    "If two opposite corners are cut off, max(u, v) is at least tau/(1 + tau/7).",
-    "written proof",
+    "If two opposite corners are cut off, u or v is at least tau/(1 + tau/7), and if one of them "
+    "is below tau/sqrt 2, the other is above 9/10.",
+    "written proof; exact comparisons",
 )
 def extents_of_two_cuts() -> str:
     """As in `extents_of_a_cut`, but q slides towards q' if B moves upwards onto f, 8 from e.
 
     Then the row's slope is s < tau/7, and if e has slope m, u and v become m/(m + s) of what they
-    were.  If v was at least tau, it is at least tau m/(m + s) >= tau/(1 + s) if m >= 1; and u,
-    which was v/m, is at least tau/(m + s) if m < 1.  Else q has an anchor short of the corner,
-    stays short of it, and u > 1.
+    were.  If q has an anchor short of the corner it stays short of it: u > 1, and so is v, or u is
+    the greater one.  Else v was at least tau.  If m >= 1, what was at least tau remains at least
+    tau/(1 + s), and v, if it was above 1, above 9/10.  If m < 1, u, which was v/m, is at
+    least tau/(m + s): tau/(1 + s), and above 1 if m/(m + s) < 1/sqrt 2, as m < 5/2 s then.
     """
+    s = TAU / 7
     demand(bool(8 - TAU > 7), "the row is more than 7 long")
+    demand(bool(1 / (1 + s) > mpq(9, 10)), "9/10")
+    demand(bool(mpq(5, 2) / mpq(7, 2) > 1 / (ROOT_2 - mpq(1, 100))), "m = 5/2 s: above 1/sqrt 2")
+    demand(bool(TAU / (mpq(5, 2) * s + s) > 1), "u > 1")
     return "m/(m + s), s < tau/7"
 
 
 @CHAPTER.proved(
     "Lemma 2, heights",
     "Every face outside blocks with two opposite corners cut off has a triangulation by its own "
-    "vertices with heights of at least tau/3.",
+    "vertices with heights of at least tau/sqrt 2.",
     IDENTITY,
 )
 def faces_with_two_cuts() -> str:
@@ -138,50 +143,51 @@ def faces_with_two_cuts() -> str:
 
     p is above B, p' to the left of C. q is a to the right of p and b below; p' is c to the left of
     q' and d above. e and f are s' >= 8 apart.  Let t be the sum of the coordinates.  By a
-    reflection t(p) <= t(q): b <= a, so a >= 4. "Over" divides by more than the longest side.  (a)
-    The corner triangles p B q and q' C p' are as in `faces_with_one_cut`, or have vanished.  (b) A
-    triangle of an edge of growth T of t on one of e and f and a corner on the other with t in
-    between: by `merged_faces.area_of_a_piece` z T over sqrt 2 z + T, and sqrt 2 z >= 8. 1. t(q) <=
-    t(p') <= t(q'): (a); p q p' and q q' p' are as in (b). 2. t(q') <= t(p'): c <= d, so d >= 4.  If
-    v >= u: (a), p q' p' as in (b), and p q q', u b + v a over a + b + u + v, at most 2 (a + v).  If
-    u > v: (a), p q p' as in (b), and q q' p', u d + v c over c + d + u + v, at most 2 (u + d).  (If
-    B has moved onto f, p is B and b >= -2 tau, a > 7.) 3. t(p') < t(q): a > b + x + y.  The face is
-    cut along q p'; it is the same on both sides, by a half turn.  On the left, if y >= x: (a) and p
-    q p', x b + y a over 2 a.  If x > y: B q p', higher than 1 - 4 tau and wider than high, and B p'
-    p, x Bp over Bp + 3/2 x.  If B has moved onto an edge other than e and f, it is 1/sqrt 2 from
-    both: Bp has a slope of up to 2 tau to its axis; (1 - 2 tau) x Bp over Bp + sqrt 2 x.  If it has
-    moved onto f, p is B, and B q p' is all.
+    reflection t(p) <= t(q): b <= a, so a >= 4.  (a) The corner triangles p B q and q' C p' are as
+    in `faces_with_one_cut`, or have vanished.  (b) A triangle of an edge of growth T of t on one of
+    e and f and a corner on the other with t in between: by `merged_faces.area_of_a_piece` at least
+    z T over sqrt 2 z + T, and sqrt 2 z >= 8.  (c) A triangle with twice the area r h + s g and a
+    side g by h or h by g long, 0 <= h <= g: over it at least the lesser of s and (r + s)/sqrt 2, as
+    it is r sin w + s cos w, w <= 45 degrees. 1. t(q) <= t(p') <= t(q'): (a); p q p' and q q' p' are
+    as in (b). 2. t(q') <= t(p'): c <= d, so d >= 4.  If v >= u: (a), p q' p' as in (b), and p q q',
+    u b + v a: over p q as in (c); over p q', a + u wide and at most max(v, b) high, at least 3/4 of
+    that if v <= 1, else 3/5; over q q' at least a/sqrt 2.  If u > v: (a), p q p' as in (b), and q
+    q' p', u d + v c, in the same way.  If B has moved onto f, p is B, b >= -2 tau and a > 7: at
+    least v (1 - 2 tau/7) over 6/5. 3. t(p') < t(q): a > b + x + y.  The face is cut along q p'; it
+    is the same on both sides, by a half turn.  On the left, if y >= tau/sqrt 2: (a) and p q p', x b
+    + y a = x (b + y) + y (a - x): over p q and over q p' as in (c); over p p' at least b.  Else x >
+    9/10: B q p', higher than 1 - 4 tau and wider than high, and B p' p, x Bp.  If B has moved onto
+    an edge other than e and f, it is 1/sqrt 2 from both: Bp has a slope of up to 2 tau to its axis,
+    and the area is at least 1 - 2 tau of that.  If it has moved onto f, p is B, and B q p' is all.
     """
     extent = TAU / (1 + TAU / 7)
+    small, least = TAU / ROOT_2, TAU / (ROOT_2 - mpq(1, 100))  # on both sides of tau/sqrt 2
+    far = mpq(9, 10)
+    as_in_c = min(extent, (small + extent) / ROOT_2, far / ROOT_2)
     for name, height in {
-        "(b)": 1 / (ROOT_2 / extent + ROOT_2 / 8),
-        "2.": 1 / (2 / extent + mpq(2, 4)),
-        "2., B on f": (1 - 2 * TAU / 7) / (2 / extent + mpq(2, 7)),
-        "3., y >= x": extent / 2,
-        "3., x > y": 1 / (1 / extent + mpq(3, 2) / TAU),
+        "(b)": min(1 / (ROOT_2 / growth + ROOT_2 / 8) for growth in (small + extent, far)),
+        "2.": mpq(3, 4) * as_in_c,
+        "2., v > 1": mpq(3, 5),
+        "2., B on f": extent * (1 - 2 * TAU / 7) / mpq(6, 5),
+        "3., (x + y)/sqrt 2": 2 * small / ROOT_2,
+        "3., B p' p": least_in_box(far * TAU, far, TAU + least),
         "3., B q p'": (1 - 4 * TAU) / ROOT_2,
-        "3., B moved": (1 - 2 * TAU) / (stretch(2 * TAU) / extent + 3),
+        "3., B moved": least_in_box(
+            (1 - 2 * TAU) * far * mpq(3, 5), far + 2 * TAU, mpq(3, 5) + least
+        ),
     }.items():
-        demand(bool(height >= TAU / 3), name)
+        demand(bool(height >= least), name)
     u, v, a, b, c, d, x, y = symbols("u v a b c d x y")
     demand_equal(area((a, -b), (a + u, v - b)), u * b + v * a, "p q q'")
     demand_equal(area((u, v), (u - c, v + d)), u * d + v * c, "q q' p'")
     demand_equal(area((a, -b), (x, y)), x * b + y * a, "p q p'")
+    demand_equal(x * b + y * a, x * (b + y) + y * (a - x), "over q p'")
     demand_equal(area((x, y + d), (0, d)), x * d, "B p' p")
-    demand_nonnegative((d + x * 3 / 2) ** 2 - x**2 - (d + x) ** 2, "|B p'| < Bp + 3/2 x")
-    return "least in 3.: 1/(1/x + 3/(2 Bp))"
+    squares = (x * b + y * (b + x + y + a)) ** 2 - b**2 * (x**2 + y**2)
+    demand_nonnegative(squares, "over p p': at least b")
+    return "tau/sqrt 2 at a right angle between two sides of tau"
 
 
 def area(p: tuple[Any, Any], q: tuple[Any, Any]) -> Any:
     """Twice the area of the origin, p and q."""
     return p[0] * q[1] - p[1] * q[0]
-
-
-@CHAPTER.open(
-    "Lemma 2, heights",
-    "Faces outside blocks with two corners cut off have heights of at least tau/sqrt 2.",
-)
-def faces_with_two_cuts_as_checked() -> str:
-    """The bounds for two cuts add up extents instead of measuring sides."""
-    demand(bool(bounds.boundary_height_squared() == TAU**2 / 2), "tau/sqrt 2")
-    return "checked on every face of every run (`lemma-2.height`), never failed"

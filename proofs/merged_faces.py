@@ -13,6 +13,8 @@ c_2 is left out and c_(m-1) b is on a column, c_2 is not the last vertex project
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import sympy
 from gmpy2 import mpq
 
@@ -128,76 +130,92 @@ def area_of_a_piece() -> str:
     return "(x, -x) x (z, w) = x (z + w)"
 
 
-def least_in_trapezoid(growth: mpq, slope: mpq, beside: mpq) -> mpq:
-    """A height that triangles of a trapezoid have: x T/(sqrt 2 x + stretch T).
-
-    Parameters
-    ----------
-    growth : mpq
-        T, at least.
-    slope : mpq
-        Of the staircase edge to its axis, at most.
-    beside : mpq
-        x, at least.
-    """
-    return 1 / (ROOT_2 / growth + stretch(slope) / beside)
-
-
 @CHAPTER.proved(
     "Lemma 5 (repaired)",
-    "The triangulations of `every_merged_face` have heights of at least tau/3 (for tau = 1/8).",
+    "The triangulations of `every_merged_face` have heights of at least tau/2, if trapezoids are "
+    "split by the better diagonal.",
     "written proof; exact comparisons",
 )
-def height_of_merged_faces() -> str:
-    """By `area_of_a_piece`, twice the area over the longest side.
+def half_of_tau() -> str:
+    """By `area_of_a_piece`: twice the area over the longest side.
 
-    - Trapezoids.  A triangle has the side sqrt 2 x, a part of e or an edge of the staircase, at
-      most `stretch` T, and a diagonal, not longer than both.  (i) Both staircase vertices unmoved:
-      the edge is axis-parallel, T >= 1.  (ii) Both have x >= 1/4: T >= tau, slope at most 2 tau.
-      (iii) Else one is unmoved with x < 1/4, the other is 1/sqrt 2 from e: T is at least sqrt 2/4
-      over the stretch of a slope of at most tau.
-    - a, c_1 and its projection: T/sqrt 2, x, and x over the stretch of c_0 c_1, whose slope is at
-      most tau if c_1 is unmoved.
+    - Trapezoids.  By a reflection let c' be above c, c' = c + (g, h), T = g + h, and x and x' to
+      their projections p and p'; x' = x + (h - m g)/(1 + m) for the slope m of e.  (i) x, x' >=
+      1/3: a triangle has sides of at most sqrt 2 x, `stretch` T and their sum; T >= tau.  (ii) Else
+      c and c' are unmoved, g = 0 and h >= 1; or c is unmoved, |g| <= tau h, and c', which is not,
+      1/sqrt 2 from e: T >= 1/5.  (If it were c: x' >= x - tau >= 1/2 - tau > 1/3.) Cut along c p',
+      x' to the right and h - x' up from c', that is x' + g and h - x' from c.  If x' <= h, c p' is
+      at most T: at least T/sqrt 2, x, and x' over the stretch of c c'.  If x' = h + r: c p' is T +
+      r wide and r high, r = x - T m/(1 + m) <= x - T (1 - x/tau), as x (1 + m) is the distance from
+      c down to e.  Over c p' are x T (`beside_a_diagonal`) and x' T, at least T (T/(1 + tau) + r)
+      over sqrt 2 (T + r).
+    - a, c_1 and its projection: T/sqrt 2, x, and x over the stretch of c_0 c_1, which is vertical,
+      or belongs to a moved c_1 (x >= 1/2), or a has merged, at least 1 below an unmoved c_1, and x
+      >= 1/(1/tau + 1 + tau).
     - c_1 = (0, 0), a = (w, 0), c_2 = (0, 1), projected: w/sqrt 2 in the first triangle; in the
       second T = 1 - w, x >= w, and |a c_2| < sqrt 2: w (1 - w)/sqrt 2 at least, concave in w. c_2 =
-      (-d, h), 0 <= d < tau, h >= 2: the ratio of T = h - w - d to |a c_2| is least at h = 2, w + d
-      = 1 + tau; x >= w + d >= tau. c_2 on another edge: x >= 1/2, h > 7.
+      (-k, h), 0 <= k < tau, h >= 2: x >= w + k = z, T = h - z and |a c_2| is h by z: at h = 2 it is
+      least, and z (2 - z) is concave. c_2 on another edge: x >= 1/2, h > 7.
     - c_2 = (0, 1) not projected.  It is more than 1 from all edges but e, by the argument (1) of
       `lemma_4.row_at_a_block`: t(c_3) >= t(c_2) + 1 - 2 tau. c_2 is at least w from e, and the part
-      of e in the piece at least (1 - 2 tau)/sqrt 2 long.  The triangle with c_3 is as in a
-      trapezoid.  If neither c_2 nor c_3 is projected: c_2 c_3 is axis-parallel, b at least w' or 1
-      from it.
+      of e in the piece a f c_3 c_2 at least (1 - 2 tau)/sqrt 2 long: a f c_2 is high enough.  If
+      c_3 is above c_2, f c_3 c_2 is c' p' c in a trapezoid.  If it is to the right, x >= 1/2 or c_3
+      is unmoved: take the diagonal a c_3, at most T = t(c_3) - t(a) long, or 2 T if c_3 has moved.
+      If c_3 is not projected either: c_2 c_3 is axis-parallel, b at least w' or 1 from it.
     - Rectangles: sides of at least 1 - 2 tau at angles of 90 +- arctan(2 tau) +- arctan(tau).
     """
-    least = TAU / 3
+    third = mpq(1, 3)
+    growth = (1 / ROOT_2 - ROOT_2 * third) / stretch(TAU)
+    demand(bool(growth >= LEAST_GROWTH), "(ii): T >= 1/5")
     cases = {
-        "(i)": least_in_trapezoid(mpq(1), mpq(0), TAU / 2),
-        "(ii)": least_in_trapezoid(TAU, 2 * TAU, mpq(1, 4)),
-        "(iii)": least_in_trapezoid(mpq(1) / (2 * ROOT_2) / stretch(TAU), TAU, TAU / 2),
-        "column": min(TAU / ROOT_2, TAU / 2 / stretch(TAU), mpq(1, 2) / stretch(2 * TAU)),
+        "(i)": 1 / (ROOT_2 / TAU + stretch(2 * TAU) / third),
+        "(ii), x' <= h": min(LEAST_GROWTH / ROOT_2, TAU / 2, mpq(1, 2) / stretch(TAU)),
+        "(ii), x, T >= 1": 1 / (ROOT_2 / 1 + 1 / third),
+        "(ii), x' > h": LEAST_GROWTH / (1 + TAU) / ROOT_2,
+        "column": min(TAU / ROOT_2, TAU / 2, mpq(1, 2) / stretch(2 * TAU)),
+        "column, merged": 1 / (1 / TAU + 1 + TAU) / stretch(TAU),
         **_heights_at_a_row(),
         **_heights_left_out(),
         "rectangle": (1 - 2 * TAU) * mpq(9, 10) / mpq(5, 3),
     }
     for name, height in cases.items():
-        demand(bool(height >= least), f"{name}: tau/3")
+        demand(bool(height >= TAU / 2), f"{name}: tau/2")
+    demand(beside_a_diagonal() >= TAU / 2, "(ii), x' > h, over c p'")
     # cos and sin of 90 +- arctan(2 tau) +- arctan(tau), squared: the third side is below 5/3.
     tangent = (3 * TAU) / (1 - 2 * TAU * TAU)
     cosine = tangent**2 / (1 + tangent**2)
     demand(bool(1 - cosine >= mpq(81, 100) and 4 * cosine <= (mpq(25, 9) - 2) ** 2), "rectangle")
-    worst = min(cases, key=cases.__getitem__)
-    return f"least in {worst}: {cases[worst] / TAU} tau"
+    demand(bounds.merged_height_squared() == TAU**2 / 4, "merged_height_squared()")
+    return "x = tau/2 at c, L and D being tau"
+
+
+LEAST_GROWTH = mpq(1, 5)
+
+
+def beside_a_diagonal(parts: int = 64) -> mpq:
+    """At least x/sqrt((1 + r/T)^2 + (r/T)^2), tau/2 <= x <= 1/3, T >= 1/5, r <= x, x - T (1 - x/tau).
+
+    By intervals of x: the root is at most 1 + r/T + (r/T)^2/(2 (1 + r/T)); it falls with T.
+    """
+    first, last = TAU / 2, mpq(1, 3)
+    ends = [first + (last - first) * i / parts for i in range(parts + 1)]
+    least = []
+    for low, high in pairwise(ends):
+        ratio = high / LEAST_GROWTH - max(mpq(0), 1 - high / TAU)
+        ratio = max(mpq(0), ratio)
+        least.append(low / (1 + ratio + ratio * ratio / (2 * (1 + ratio))))
+    return min(least)
 
 
 def _heights_at_a_row() -> dict[str, mpq]:
     """c_0 c_1 on a row and c_2 projected."""
-    w, least, most = TAU, TAU, 1 - left_out()
-    second = min(w * (1 - w), most * (1 - most)) / ROOT_2
-    p, h = 1 + TAU, mpq(2)  # |a c_2|^2 <= p^2 + h^2 < (h + p^2/(2 h))^2
-    higher = least * (h - p) / (h + p * p / (2 * h))
+    most = 1 - left_out()
+    second = min(TAU * (1 - TAU), most * (1 - most)) / ROOT_2
+    z = 1 + TAU  # |a c_2| <= 2 + z^2/4
+    higher = min(TAU * (2 - TAU), z * (2 - z)) / (2 + z * z / 4)
     return {
-        "row": min(w / ROOT_2, second, left_out() / ROOT_2),
-        "row, c_2 higher": min(higher, w / (1 + p * p / 8), (1 - TAU) / ROOT_2),
+        "row": min(TAU / ROOT_2, second, left_out() / ROOT_2),
+        "row, c_2 higher": min(higher, TAU / (1 + z * z / 8), (1 - TAU) / ROOT_2),
         "row, c_2 on an edge": mpq(1, 2) * mpq(7 - 1, 7 + 1),
     }
 
@@ -208,13 +226,7 @@ def _heights_left_out() -> dict[str, mpq]:
     part = growth / ROOT_2
     return {
         "left out": min(w, part * w / ROOT_2, part * w / (part + ROOT_2)),
-        "left out, c_3": least_in_trapezoid(growth, TAU, TAU / 2),
+        "left out, a c_3": min(TAU / 2, mpq(1, 2) / 2, growth / ROOT_2),
+        "left out, a c_3 c_2": growth / (growth + 2 * ROOT_2),
         "both left out": w / (1 + ROOT_2),
     }
-
-
-@CHAPTER.open("Lemma 5 (repaired)", "They have heights of at least tau/2.")
-def half_of_tau() -> str:
-    """The bounds of `height_of_merged_faces` take all sides of a trapezoid at their longest."""
-    demand(bool(bounds.merged_height_squared() == TAU**2 / 4), "merged_height_squared()")
-    return "checked on every merged face of every run (`lemma-5.height`), never failed"
