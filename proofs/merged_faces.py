@@ -193,9 +193,10 @@ LEAST_GROWTH = mpq(1, 5)
 
 
 def beside_a_diagonal(parts: int = 64) -> mpq:
-    """At least x/sqrt((1 + r/T)^2 + (r/T)^2), tau/2 <= x <= 1/3, T >= 1/5, r <= x, x - T (1 - x/tau).
+    """At least x/sqrt((1 + r/T)^2 + (r/T)^2), tau/2 <= x <= 1/3, T >= 1/5.
 
-    By intervals of x: the root is at most 1 + r/T + (r/T)^2/(2 (1 + r/T)); it falls with T.
+    r is at most x and x - T (1 - x/tau).  By intervals of x: the root is at most 1 + r/T +
+    (r/T)^2/(2 (1 + r/T)); it falls with T.
     """
     first, last = TAU / 2, mpq(1, 3)
     ends = [first + (last - first) * i / parts for i in range(parts + 1)]
