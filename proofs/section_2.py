@@ -274,15 +274,6 @@ def least_edge() -> str:
 
 
 @CHAPTER.open(
-    "Section 2, warping",
-    "The same in blocks: at most two q-vertices choose one grid vertex, edges are at least tau.",
-)
-def choosers_in_blocks() -> str:
-    """Both edges at a vertex may pass near a grid vertex of its block."""
-    return "checked on every run (`warping`, `lemma-2.block-edges`), never failed"
-
-
-@CHAPTER.open(
     "Lemma 2, faces",
     "A face outside blocks has at most six sides, at most two of them moved vertices, and is "
     "convex after warping.",

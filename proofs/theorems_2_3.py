@@ -75,8 +75,8 @@ def theorem_3_count() -> str:
 
 @CHAPTER.proved(
     "Theorems 2 and 3",
-    "If blocks keep tau/sqrt 2, merged faces tau/2 and their bases' pieces tau/sqrt 2, all heights "
-    "are at least s/385.6.",
+    "If merged faces keep tau/2 and their bases' pieces tau/sqrt 2, as blocks keep tau/sqrt 2 and "
+    "sides of tau (Lemma 2, certificate of the shipped rule), all heights are at least s/385.6.",
     CERTIFICATE,
 )
 def height() -> str:
@@ -84,6 +84,7 @@ def height() -> str:
     part = bounds.merged_height_squared()
     demand(bool(part <= bounds.boundary_height_squared()), "blocks")
     demand(bool(part <= bounds.base_piece_squared() / 2), "fans")
+    demand(bool(part <= bounds.edge_squared() / 2), "fans, on sides of block faces")
     demand(bool(part <= bounds.TILING_HEIGHT_SQUARED), "Lemma 7, vertices of Q being 1 apart")
     rounding = (bounds.CUT_ROUNDING * bounds_grid.UNIT_ROUNDING) ** 2
     total = part * bounds.LOPPED_FEATURE_SQUARED * rounding / bounds_grid.FACTOR**2
@@ -94,13 +95,13 @@ def height() -> str:
 
 @CHAPTER.open(
     "Theorems 2 and 3",
-    "Every polygon has such a triangulation without an angle above 150 degrees: the parts inside Q "
-    "and the fans are proved, blocks and merged faces are Lemmas 2 and 5.",
+    "Every polygon has such a triangulation without an angle above 150 degrees: the parts inside "
+    "Q, the fans and blocks (Lemma 2) are proved, merged faces are Lemma 5.",
 )
 def largest_angle() -> str:
-    """Lemma 7 and the fans: 135 degrees, proved."""
+    """Lemma 7, the fans and blocks: 135 degrees, proved (blocks by --full)."""
     demand(bool(bounds.TILING_COTANGENT >= bounds.boundary_cotangent()), "Lemma 7")
-    return "rests on Lemma 2's blocks and on Lemma 5's merged faces; checked on every run"
+    return "rests on Lemma 5's merged faces; checked on every run"
 
 
 CROSS = ((1, 0), (0, 1), (-1, 0), (0, -1))
