@@ -59,7 +59,10 @@ def _section(number: int, erratum: Erratum) -> Iterator[str]:
         entry = entry_of(name)
         yield f"- *{entry.status}* (`proofs/{_place(name)}`): {entry.text}"
     if not erratum.repaired:
-        yield "- Lemma 2's blocks: `proofs/lemma_2/`; checked on every run (`lemma-2.block-*`)."
+        yield (
+            "- Lemma 2's blocks, *proved* for tau = 1/8 (`proofs/lemma_2/`, by `--full`); "
+            "checked on every run (`lemma-2.block-*`)."
+        )
     yield ""
 
 

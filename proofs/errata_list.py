@@ -105,7 +105,7 @@ ERRATA: Sequence[Erratum] = (
         "An edge of length b/8 at 45 degrees to the longest edge of its triangle gives "
         "b/(8 sqrt 2).",
         "The bound is tau/sqrt 2, for blocks of 2 x 2 squares tau/2.",
-        ("theorem_1.height_without_condition", "section_2.corner_block_height"),
+        ("theorem_1.height", "section_2.corner_block_height"),
         "thin-face",
     ),
     Erratum(

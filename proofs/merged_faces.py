@@ -189,6 +189,25 @@ def half_of_tau() -> str:
     return "x = tau/2 at c, L and D being tau"
 
 
+@CHAPTER.proved(
+    "Lemma 5 (repaired)",
+    "Projections cut the base of a merged face into pieces at least tau/sqrt 2 long, whichever are "
+    "chosen.",
+    "written proof",
+)
+def base_pieces() -> str:
+    """None is drawn nearer than that to an end of the base (`boundary.project.cuttable`).
+
+    Between neighbouring ones t grows by tau at least (`projected_vertices`): `area_of_a_piece`.
+    Those that are not drawn are left out above, too: of the first projections c_1 on a column is
+    tau/sqrt 2 away, and c_2 at least (t(c_2) - t(a))/sqrt 2, which is less only if c_2 = (0, 1) and
+    w > 1 - tau.  A base without projections is a side of a face, or more.
+    """
+    demand(bool(TAU < left_out() and 1 - TAU > TAU), "left out if w > 1 - tau")
+    demand(bounds.base_piece_squared() == TAU**2 / 2, "base_piece_squared()")
+    return "T/sqrt 2, T >= tau"
+
+
 LEAST_GROWTH = mpq(1, 5)
 
 

@@ -273,15 +273,6 @@ def least_edge() -> str:
     return "1 - 2 tau, 1 - tau and sqrt 2 tau are at least tau"
 
 
-@CHAPTER.open(
-    "Section 2, warping",
-    "The same in blocks: at most two q-vertices choose one grid vertex, edges are at least tau.",
-)
-def choosers_in_blocks() -> str:
-    """Both edges at a vertex may pass near a grid vertex of its block."""
-    return "checked on every run (`warping`, `lemma-2.block-edges`), never failed"
-
-
 @CHAPTER.proved(
     "Section 2, corner blocks",
     "In a 2 x 2 block no height above tau/sqrt(1 + (1 + 2 tau)^2), about 0.624 tau, can be "

@@ -39,15 +39,13 @@ ROWS: Sequence[Sequence[str]] = (
 """A header and the criteria."""
 
 NOTES: Sequence[str] = (
-    "[1] `theorem_1.count` and `.height`, *proved* if each face near the boundary keeps Lemma 2's "
-    "heights and edges (`theorem_1.height_without_condition`, open).",
-    "[2] `theorems_2_3.theorem_2_count`, *proved*; the angle near the boundary is Lemmas 2 and 5 "
-    "(`theorems_2_3.largest_angle`). Any bound above 135 degrees has the same counts "
-    "(`section_2.general_tau`).",
+    "[1] `theorem_1.count` and `.height`, *proved* (blocks: with `--full`).",
+    "[2] `theorems_2_3.theorem_2_count` and `.largest_angle`, *proved* (blocks: with `--full`). "
+    "Any bound above 135 degrees has the same counts (`section_2.general_tau`).",
     "[3] `theorems_2_3.theorem_3_count`, *proved*; with Lemma 8's sharper count 4 (N + N^1.5), "
     "N = 858 n.",
     "[4] `theorems_2_3.steiner_ratio`: partitions into matching rectangles, not triangulations.",
-    "[5] `theorems_2_3.height`, *proved* if blocks and merged faces keep theirs.",
+    "[5] `theorems_2_3.height`, *proved* (blocks: with `--full`).",
     "[6] `theorem_4.count`, with Lemma 12's constants of `lemma_12_rounding.constant` and "
     "`lemma_12_rounding.better_exponent` and the 9 n verticals of `bouncing.verticals`, *proved*.",
 )

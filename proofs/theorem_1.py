@@ -65,16 +65,17 @@ def count() -> str:
 
 @CHAPTER.proved(
     "Theorem 1",
-    "If faces along the boundary keep Lemma 2's heights, tau/sqrt 2, and edges, tau, all heights "
-    "are at least s/272.7, with the paper's tau = 1/8 and b = s'/8.",
+    "All heights are at least s/272.7, with the paper's tau = 1/8 and b = s'/8 (in blocks by the "
+    "certificate of the shipped rule, which `--full` replays).",
     CERTIFICATE,
 )
 def height() -> str:
-    """The least of the parts: tau/sqrt 2 there, 1/sqrt 2 inside Q, and the fans (Lemma 1).
+    """The least of the parts: tau/sqrt 2 near the boundary, 1/sqrt 2 inside Q, and the fans.
 
-    A fan's base is at least tau, so that it has tau/sqrt 2, or the cut triangle's own
-    height of s sqrt(2)/6 rho, which is more.  Multiplied by b >= (1 - 2^-9) s'/8 and
-    s' >= (1 - 2^-9) s/3.
+    Near the boundary: `face_heights` outside blocks, `lemma_2.statements.shipped_rule` within,
+    where sides are at least tau, as they are outside (`section_2.least_edge`).  A fan's base is at
+    least tau, so that it has tau/sqrt 2, or the cut triangle's own height of s sqrt(2)/6 rho, which
+    is more.  Multiplied by b >= (1 - 2^-9) s'/8 and s' >= (1 - 2^-9) s/3.
     """
     part = bounds.boundary_height_squared()
     demand(bool(part <= bounds.INTERIOR_HEIGHT_SQUARED), "Lemma 3")
@@ -90,9 +91,3 @@ def height() -> str:
         "2 x 2 blocks with s' = 9/2 b",
     )
     return "s/height = {} .. {}".format(*sqrt_enclosure(1 / total, 6))
-
-
-@CHAPTER.open("Theorem 1", "Every height is at least s/272.7, with no condition.")
-def height_without_condition() -> str:
-    """Faces outside blocks, and blocks, keep their heights on every run: `lemma-2.*height`."""
-    return "rests on Lemma 2's heights, checked on every triangle of every run"

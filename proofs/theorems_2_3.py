@@ -75,15 +75,22 @@ def theorem_3_count() -> str:
 
 @CHAPTER.proved(
     "Theorems 2 and 3",
-    "If blocks keep tau/sqrt 2, merged faces tau/2 and their bases' pieces tau/sqrt 2, all heights "
-    "are at least s/385.6.",
+    "All heights are at least s/385.6, for tau = 1/8 and b = s'/8 (in blocks by the certificate of "
+    "the shipped rule, which `--full` replays).",
     CERTIFICATE,
 )
 def height() -> str:
-    """The least part is tau/2, of merged faces; fans on pieces of tau/sqrt 2 have tau/2 too."""
+    """The least part is tau/2, of merged faces (`merged_faces.half_of_tau`).
+
+    Fans stand on sides of block faces, at least tau, and on pieces between projections, at least
+    tau/sqrt 2 (`merged_faces.base_pieces`): they have at least tau/2.  Blocks have tau/sqrt 2.
+    Rectangles that a moved corner alone joins to the boundary have sides of at least 1 - 2 tau at
+    angles of 90 +- 2 arctan(2 tau): `face_heights.faces_with_one_cut`.
+    """
     part = bounds.merged_height_squared()
     demand(bool(part <= bounds.boundary_height_squared()), "blocks")
     demand(bool(part <= bounds.base_piece_squared() / 2), "fans")
+    demand(bool(part <= bounds.edge_squared() / 2), "fans, on sides of block faces")
     demand(bool(part <= bounds.TILING_HEIGHT_SQUARED), "Lemma 7, vertices of Q being 1 apart")
     rounding = (bounds.CUT_ROUNDING * bounds_grid.UNIT_ROUNDING) ** 2
     total = part * bounds.LOPPED_FEATURE_SQUARED * rounding / bounds_grid.FACTOR**2
@@ -92,15 +99,25 @@ def height() -> str:
     return "s/height = {} .. {}".format(*sqrt_enclosure(1 / total, 6))
 
 
-@CHAPTER.open(
+@CHAPTER.proved(
     "Theorems 2 and 3",
-    "Every polygon has such a triangulation without an angle above 150 degrees: the parts inside Q "
-    "and the fans are proved, blocks and merged faces are Lemmas 2 and 5.",
+    "No angle is above 135 degrees + arctan(2 tau) = 149.04 degrees, for tau = 1/8 (in blocks by "
+    "the certificate of the shipped rule, which `--full` replays).",
+    IDENTITY,
 )
 def largest_angle() -> str:
-    """Lemma 7 and the fans: 135 degrees, proved."""
+    """Lemma 7 inside Q: 135.  The fans: 135 (Lemma 1).  Blocks: 135 (`lemma_2.statements`).
+
+    Merged faces: `merged_faces.every_merged_face`.  Rectangles that a moved corner alone joins to
+    the boundary: 90 + 2 arctan(2 tau), any diagonal.
+    """
     demand(bool(bounds.TILING_COTANGENT >= bounds.boundary_cotangent()), "Lemma 7")
-    return "rests on Lemma 2's blocks and on Lemma 5's merged faces; checked on every run"
+    demand(bool(bounds.BLOCK_COTANGENT >= bounds.boundary_cotangent()), "blocks")
+    slope = bounds.slope()
+    demand(bool(2 * slope < 1 - slope * slope), "2 arctan(2 tau) < 45 degrees")
+    worst = bounds.boundary_cotangent()
+    demand(bool(worst < 0 and worst * worst < 3), "below 150 degrees")
+    return f"least cotangent {worst}; 150 degrees has -1.732..."
 
 
 CROSS = ((1, 0), (0, 1), (-1, 0), (0, -1))

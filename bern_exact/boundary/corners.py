@@ -4,6 +4,7 @@ The paper takes the closest corner; block faces can then have angles up to
 142.125 degrees.  Here the corners are tried in order of distance, and the first is
 taken for which every face of the block can be triangulated with all angles
 at most 135 degrees, edges of at least tau and heights of at least tau / sqrt 2.
+For tau = 1/8 there always is one: `proofs/lemma_2` has the certificate.
 
 A block round the nearest corner has its other corners on its rim, where faces of
 no block would be warped with them: there the nearest corner moves, heights of
@@ -83,8 +84,8 @@ class CornerRule:
     def choose(self, v: int) -> tuple[Substep1, int]:
         """The corner for vertex v and how often one was refused, as in `Warped.rank`.
 
-        If no corner will do (never seen), the closest is taken, and the checkers of Lemma 2
-        report the block.
+        If no corner will do (impossible for square blocks and tau = 1/8, and never seen
+        otherwise), the closest is taken, and the checkers of Lemma 2 report the block.
         """
         candidates = self._candidates(v)
         tries = [(demand, candidate) for demand in self.demands for candidate in candidates]

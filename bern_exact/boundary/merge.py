@@ -184,9 +184,8 @@ def merge_boundary(
     for edge in range(polygon.n):
         for merged in merger.along(edge):
             points = [warping.image(node)[1] for node in merged.staircase]
-            found, fresh = project(
-                cuttable(merged, polygon.lines[edge], points), choices, first + len(projections)
-            )
+            whole = cuttable(merged, polygon.lines[edge], points, tau * tau / 2)
+            found, fresh = project(whole, choices, first + len(projections))
             projected.append(found)
             projections += fresh
     faces = []

@@ -4,8 +4,8 @@
 onto e": a diagonal leaves an almost axis-parallel edge at 45 degrees or nearly so, and
 hits e at 45 degrees or more, so the trapezoids between have no large angle.  The height
 at the two end faces does not "come for free": a projection can land next to the
-end of e.  So the first and the last diagonal may be left out, and the end
-pieces are triangulated by the best of all ways.
+end of e.  So those that land too near are not drawn, the first and the last diagonal may be left
+out, and the end pieces are triangulated by the best of all ways.
 
 Most diagonals can be spared as well: between two of them any piece will do that has a
 triangulation within both bounds.  Each diagonal left out is a vertex and a triangle fewer.
@@ -28,10 +28,15 @@ from bern_exact.boundary.optimal import (
 )
 from bern_exact.boundary.records import MergedFace, Node, Projected
 from bern_exact.exact.points import HPoint, Line, meet
+from bern_exact.exact.predicates import squared_distance
 
 MOST_SPARED = 5
 """The most neighbouring diagonals that are left out: time is cubic in it, and further ones are
 seldom spared."""
+
+
+NOWHERE = mpq(0)
+"""No distance at all."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +82,9 @@ class Cuttable:
         return tuple(number(~name) if name < 0 else stairs[name] for name in self.names(i, j))
 
 
-def cuttable(merged: MergedFace, line: Line, points: Sequence[HPoint]) -> Cuttable:
+def cuttable(
+    merged: MergedFace, line: Line, points: Sequence[HPoint], squared_apart: mpq = NOWHERE
+) -> Cuttable:
     """Find the diagonals of a merged face.
 
     Parameters
@@ -88,6 +95,8 @@ def cuttable(merged: MergedFace, line: Line, points: Sequence[HPoint]) -> Cuttab
         The edge's line, in grid coordinates; neither axis-parallel nor diagonal.
     points : sequence of HPoint
         The staircase's points.
+    squared_apart : mpq, optional
+        No projection is nearer than this, squared, to an end of the base.
     """
     # Along diagonals t is constant: t = x + y if e has positive slope, else x - y.
     slope = -1 if line[0] * line[1] > 0 else 1
@@ -96,7 +105,13 @@ def cuttable(merged: MergedFace, line: Line, points: Sequence[HPoint]) -> Cuttab
     low, high = min(t[0], t[-1]), max(t[0], t[-1])
     cuts = [i for i in range(1, len(points) - 1) if low < t[i] < high]
     projections = [meet((levels[i][1], slope * levels[i][1], -levels[i][0]), line) for i in cuts]
-    return Cuttable(merged, points, cuts, projections)
+    # Projections are in order along e: only the first and the last ones can be too near.
+    first, last = 0, len(cuts)
+    while first < last and squared_distance(points[0], projections[first]) < squared_apart:
+        first += 1
+    while first < last and squared_distance(points[-1], projections[last - 1]) < squared_apart:
+        last -= 1
+    return Cuttable(merged, points, cuts[first:last], projections[first:last])
 
 
 @dataclass(frozen=True)

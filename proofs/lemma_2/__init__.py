@@ -57,16 +57,20 @@ trusted.
    for f up, x + y <= 1 for f left, y <= 1/2 for f down, x <= y for f right.  Proved for the rules
    as written; tests compare the block program with the package's on random and threshold inputs.
 
-A second certificate shows a corner with all angles below 135 degrees and all heights above
-tau/2, the least height in Theorems 2 and 3 (whose fans at lopped corners need edges of tau/sqrt 2
-as well).  A third one shows how bad the closest corner can be.  Faces whose vertices are all grid
+**The shipped rule.**  A second certificate shows that what `bern_exact.boundary.corners` demands
+can always be had: a corner with all angles of at most 135 degrees, all heights of at least
+tau/sqrt 2 and all sides of faces at least tau long.  So the rule, which takes the nearest such
+corner, always finds one, and never falls back.  All three bounds are attained: at a q-vertex that
+is tau from a grid vertex, on a ray of 45 degrees.  No closed box could show them; but sections do,
+exactly, at every place where they are attained (`sections`), and what is left over is strict.
+Diagonals of faces are not asked about: as sides of triangles they are longer than the heights.
+
+A third certificate shows how bad the closest corner can be.  Faces whose vertices are all grid
 vertices are left out: squares of side 1, or halves.
 
-**What is not claimed.**  The shipped rule (`bern_exact.boundary.corners`) asks more of a corner:
-angles of at most 135 degrees, edges of at least tau and heights of at least tau/sqrt 2.  The last
-is attained in the limit, so that no tree can show it.  That a corner with all three always exists
-is open; where none does, the package takes the closest corner, for which nothing is shown, and
-the checker reports the block.  All is for tau = 1/8 and blocks of 3 x 3 squares.
+**What is not claimed.**  All is for tau = 1/8 and blocks of 3 x 3 squares.  For a smaller tau
+(`--max-angle`) that some corner keeps the same demand is open; where none did the package would
+take the closest, and the checkers would report the block.
 """
 
 from proofs.lemma_2.statements import CHAPTER, statements

@@ -159,3 +159,8 @@ def bounded(p: Form) -> Array:
 def is_positive(p: Form) -> Array:
     """Is every value of a form positive?"""
     return p.c > p.radius()
+
+
+def is_not_negative(p: Form) -> Array:
+    """Is no value of a form negative?"""
+    return p.c >= p.radius()

@@ -1,4 +1,4 @@
-"""Where the points of the block program are, over boxes of parameters; and their triangles."""
+"""Where the points of the block program are, over boxes of parameters."""
 
 from __future__ import annotations
 
@@ -6,29 +6,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from proofs.lemma_2.forms import (
-    BITS,
-    LIMIT,
-    ONE,
-    Form,
-    bounded,
-    integer,
-    is_positive,
-    lowered,
-    product,
-    quotient,
-)
+from proofs.lemma_2.forms import LIMIT, ONE, Form, integer, lowered, product, quotient
 from proofs.lemma_2.rays import HIGH, LOW, E
-from proofs.lemma_2.warping import Point, Ring
+from proofs.lemma_2.warping import Point
 
 Array = Any
-
-
-SHIFT = 16
-"""Products are lowered by this before they are multiplied by a length."""
-
-LONGEST = 16 << (2 * BITS - SHIFT)
-"""The square of no side of interest is longer."""
 
 
 class Place(NamedTuple):
@@ -51,12 +33,15 @@ class Bounds(NamedTuple):
     tau : int
         The snapping threshold at the scale 2^BITS.
     height : (int, int), optional
-        k and j, k <= 16 and j <= 8: every height is above k / 2^j.
+        k <= 256 and j <= 10: every height is above k / 2^j, or at least tau/sqrt 2 by `sections`.
+    edges : bool
+        Is every side of a face at least tau long?
     """
 
     kappa: tuple[int, int]
     tau: int
     height: tuple[int, int] = (0, 0)
+    edges: bool = False
 
 
 def unturned(quarters: int, p: Place) -> Place:
@@ -122,7 +107,7 @@ class Boxes:
         if name == "row":
             height = integer(point[2])
             return unturned(back, Place(self._at(point[1], height), height))
-        return unturned(back, self._on_column(*point[1:]))
+        return unturned(back, self._on_column(*point[1:5]))
 
     def _on_column(self, ray: int, level: int, column: int, part: int) -> Place:
         """Where a ray crosses a column: in a known part of the gap between rows level, level + 1.
@@ -149,69 +134,3 @@ class Boxes:
         s = quotient(off_a, off_a - off_b, -LIMIT, LIMIT, None)
         x, y = (p + lowered(product(s, towards - p)) for p, towards in ((a.x, b.x), (a.y, b.y)))
         return unturned(-quarters % 4, Place(x, y))
-
-    def is_wide(self, u: Place, w: Place) -> Array:
-        """Is dot + kappa cross > 0 for two sides u, w from a corner, w to the left of u?"""
-        num, den = self.bounds.kappa
-        along = product(u.x, w.x.times(den) + w.y.times(num))
-        across = product(u.y, w.y.times(den) - w.x.times(num))
-        return is_positive(along + across)
-
-    def is_good(self, a: Place, b: Place, c: Place) -> Array:
-        """Do all three corners of a triangle keep the bound?
-
-        Then it is counter-clockwise and not flat: kappa >= 3/5 (see the package).
-        """
-        ab, bc, ca = b - a, c - b, a - c
-        good = self.is_wide(ab, _reversed(ca))
-        good = good & self.is_wide(bc, _reversed(ab)) & self.is_wide(ca, _reversed(bc))
-        for side in (ab, bc, ca):
-            good = good & bounded(side.x) & bounded(side.y)
-        return good & self.is_high((ab, bc, ca)) if self.bounds.height[0] else good
-
-    def is_high(self, sides: tuple[Place, Place, Place]) -> Array:
-        """Is cross > height |side| for all three sides?
-
-        As |side| <= (side^2 / l + l) / 2 for any l > 0, it is if 2 l cross > height (side^2 + l^2);
-        l is the side's length at the centre, in multiples of 2^-8.
-        """
-        k, j = self.bounds.height
-        (a, b), (c, d) = sides[:2]
-        cross = lowered(product(a, d) - product(b, c), SHIFT)
-        good: Array = True
-        for x, y in sides:
-            square = lowered(product(x, x) + product(y, y), SHIFT)
-            length = 1 + roots(np.clip(square.c, 0, LONGEST) >> (2 * BITS - SHIFT - 16))
-            times_cross = cross.scaled(length << (j + 1))
-            enough = square.times(k << 8).plus(k * length * length << (2 * BITS - SHIFT - 8))
-            good = good & is_positive(times_cross - enough)
-        return good
-
-    def triangulates(self, ring: Ring) -> Array:
-        """For each box: does one triangulation of this ring keep the bound all over it?"""
-        places = [self.place(point) for point in ring]
-        size = len(ring)
-        good: dict[tuple[int, int], Array] = {(i, i + 1): True for i in range(size - 1)}
-        for width in range(2, size):
-            for i in range(size - width):
-                j = i + width
-                good[i, j] = False
-                for k in range(i + 1, j):
-                    parts = good[i, k] & good[k, j]
-                    if np.any(parts):
-                        own = self.is_good(places[i], places[k], places[j])
-                        good[i, j] = good[i, j] | (parts & own)
-        return good[0, size - 1] & np.ones(self.low.shape[1], dtype=bool)
-
-
-def roots(squares: Array) -> Array:
-    """Integers near the square roots of numbers below 2^20, by Newton's iteration."""
-    root = np.full_like(squares, 1 << 10)
-    for _ in range(12):
-        root = (root + squares // root) >> 1
-        root = np.maximum(root, 1)
-    return root
-
-
-def _reversed(u: Place) -> Place:
-    return Place(u.x.times(-1), u.y.times(-1))

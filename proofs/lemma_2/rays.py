@@ -72,13 +72,26 @@ class RayType(NamedTuple):
             return 1 if self.section_2 > self.section_1 else -1
         return 0
 
+    @property
+    def clear_below(self) -> int:
+        """`Cross.clear` of the column below row 1; of row 0 nothing is known."""
+        return 0 if self.part_1 == (LOW if self.cell_1 == 1 else HIGH) else 2
+
+    @property
+    def clear_above(self) -> int:
+        """`Cross.clear` of the column between row 1 and row 2."""
+        before, beyond = (HIGH, LOW) if self.cell_2 > self.cell_1 else (LOW, HIGH)
+        return (self.part_1 != before) + 2 * (self.part_2 != beyond)
+
 
 @cache
 def ray_types() -> tuple[RayType, ...]:
     """All types that a ray with |m| <= 1 can have.
 
     X1 - x = (1 - y) m and X2 - X1 = m have the same sign.  A column that is crossed within tau
-    of a grid vertex has the row through it crossed within tau of it, as |m| <= 1.
+    of a grid vertex has the row through it crossed within tau of it, as |m| <= 1.  A row that is
+    crossed further than 1 - tau from such a column, in its cell beyond, has the column crossed
+    further than 1 - tau from itself.
     """
     return tuple(_types())
 
@@ -108,9 +121,11 @@ def _parts_below(cell_1: int, part_1: int) -> Iterator[int]:
     if cell_1 == 0:
         yield -1
         return
+    near, far = (LOW, HIGH) if cell_1 == 1 else (HIGH, LOW)
     yield LOW
-    yield MIDDLE
-    if part_1 == (LOW if cell_1 == 1 else HIGH):
+    if part_1 != far:
+        yield MIDDLE
+    if part_1 == near:
         yield HIGH
 
 
@@ -118,11 +133,12 @@ def _parts_above(cell_1: int, part_1: int, cell_2: int, part_2: int) -> Iterator
     if cell_1 == cell_2:
         yield -1
         return
-    rightwards = cell_2 > cell_1
-    if part_1 == (HIGH if rightwards else LOW):
+    low, high = (LOW, HIGH) if cell_2 > cell_1 else (HIGH, LOW)
+    if part_1 == high:
         yield LOW
-    yield MIDDLE
-    if part_2 == (LOW if rightwards else HIGH):
+    if part_1 != low and part_2 != high:
+        yield MIDDLE
+    if part_2 == low:
         yield HIGH
 
 
@@ -149,6 +165,9 @@ class Cross(NamedTuple):
         The ends of the segment on the interior and on the exterior side.
     inside : bool
         Is it in the block?
+    clear : int
+        Of a column: 1 if the ray crosses the row below at least tau from it, plus 2 if the row
+        above.
     """
 
     ray: int
@@ -161,6 +180,7 @@ class Cross(NamedTuple):
     inner: GridNode
     anchor: GridNode
     inside: bool
+    clear: int
 
 
 def turned(quarters: int, node: GridNode) -> GridNode:
@@ -186,7 +206,9 @@ def crossings(ray: int, quarters: int, kind: RayType) -> list[tuple[Cross, GridN
     """
     found: list[tuple[Cross, GridNode]] = []
 
-    def add(name: str, level: int, low: GridNode, part: int, enters: GridNode) -> None:
+    def add(
+        name: str, level: int, low: GridNode, part: int, enters: GridNode, clear: int = 0
+    ) -> None:
         along = (1, 0) if name == "row" else (0, 1)
         high = (low[0] + along[0], low[1] + along[1])
         # The left of the ray is the lower end of a row, and the upper one of a column if m > 0.
@@ -210,16 +232,18 @@ def crossings(ray: int, quarters: int, kind: RayType) -> list[tuple[Cross, GridN
                     turned(quarters, inner),
                     turned(quarters, anchor),
                     inside,
+                    clear,
                 ),
                 turned_cell(quarters, enters),
             )
         )
 
     if kind.below >= 0:
-        add("column", 0, (kind.column_below, 0), kind.below, (kind.cell_1, 0))
+        add("column", 0, (kind.column_below, 0), kind.below, (kind.cell_1, 0), kind.clear_below)
     add("row", 1, (kind.cell_1, 1), kind.part_1, (kind.cell_1, 1))
     if kind.above >= 0:
-        add("column", 1, (kind.column_above, 1), kind.above, (kind.cell_2, 1))
+        enters = (kind.cell_2, 1)
+        add("column", 1, (kind.column_above, 1), kind.above, enters, kind.clear_above)
     if abs(kind.cell_2) < 2 or kind.part_2 != MIDDLE:
         add("row", 2, (kind.cell_2, 2), kind.part_2, (kind.cell_2, 2))
     return found

@@ -8,17 +8,18 @@ that keeps the bound over the whole box.  Integers only.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from proofs.lemma_2.block import CORNERS, LEFT, RIGHT, UP, block
+from proofs.lemma_2.block import CORNERS, LEFT, RIGHT, UP, Block, block
 from proofs.lemma_2.forms import BITS, ONE
 from proofs.lemma_2.points import Bounds, Boxes
-from proofs.lemma_2.rays import HIGH, LOW, MIDDLE, E, F, RayType, ray_types
-from proofs.lemma_2.warping import Ring, outcomes
+from proofs.lemma_2.rays import HIGH, LOW, MIDDLE, E, F, GridNode, RayType, ray_types
+from proofs.lemma_2.triangles import triangulates
+from proofs.lemma_2.warping import Ring, crowded, outcomes
 
 Array = Any
 
@@ -27,6 +28,9 @@ CHUNK = 1 << 15
 
 Plan = tuple[tuple[frozenset[Ring], ...], ...]
 """For each corner, in the order of CORNERS, its outcomes: the rings that must be good."""
+
+Plans = Callable[[int, RayType, RayType], Plan | None]
+"""By the class and the types of both rays."""
 
 
 class Replayed(NamedTuple):
@@ -128,12 +132,13 @@ class Rays:
     def _in_part(self, ray: int, level: int, column: int, part: int, rightwards: bool) -> Array:
         """Can a column be crossed in this part of the gap above row `level`?
 
-        It is crossed below a height if at that height the ray is beyond it.
+        It is crossed below a height if at that height the ray is beyond it; and v is below it.
         """
         may: Array = True
         at = column * ONE * ONE
         if part != HIGH:
             height = level * ONE + (self.tau if part == LOW else ONE - self.tau)
+            may = may & (self._own[ray][2] < height)
             least, greatest = self.range(ray, height)
             may = may & (greatest >= at if rightwards else least <= at)
         if part != LOW:
@@ -147,20 +152,33 @@ class Rays:
 def plan_of(cls: int, kind_e: RayType, kind_f: RayType) -> Plan | None:
     """What the block program makes of two types; None if no rays of the class have them."""
     made = block(cls, kind_e, kind_f)
-    if made is None:
-        return None
-    return tuple(
-        tuple(
-            sorted(
-                {frozenset(found.rings) for found in outcomes(made, corner)},
-                key=lambda rings: sorted(map(repr, rings)),
-            )
-        )
-        for corner in CORNERS
-    )
+    return None if made is None else tuple(_outcomes(made, corner) for corner in CORNERS)
 
 
-def replay(low: Array, high: Array, cls: int, bounds: Bounds, nearest: bool = False) -> Replayed:
+@cache
+def crowded_plan_of(cls: int, kind_e: RayType, kind_f: RayType) -> Plan | None:
+    """The same of a block with more than two wishes for a grid vertex: only v may take it.
+
+    None for other blocks, of which nothing is asked.
+    """
+    made = block(cls, kind_e, kind_f)
+    corner = None if made is None else crowded(made)
+    return None if made is None or corner is None else (_outcomes(made, corner),)
+
+
+def _outcomes(made: Block, corner: GridNode) -> tuple[frozenset[Ring], ...]:
+    found = {frozenset(outcome.rings) for outcome in outcomes(made, corner)}
+    return tuple(sorted(found, key=lambda rings: sorted(map(repr, rings))))
+
+
+def replay(
+    low: Array,
+    high: Array,
+    cls: int,
+    bounds: Bounds,
+    nearest: bool = False,
+    plans: Plans = plan_of,
+) -> Replayed:
     """Replay leaves.
 
     Parameters
@@ -173,20 +191,22 @@ def replay(low: Array, high: Array, cls: int, bounds: Bounds, nearest: bool = Fa
         What is claimed.
     nearest : bool
         Only the closest corner may be taken, as printed; equally close ones must all be good.
+    plans : callable
+        Which corners may be taken with two types of rays, and what becomes of the block.
     """
     left_out = is_left_out(low, high, cls)
     wanted = np.nonzero(~left_out)[0]
     failed: list[int] = []
     for start in range(0, len(wanted), CHUNK):
         chosen = wanted[start : start + CHUNK]
-        bad = bad_leaves(Boxes(low[:, chosen], high[:, chosen], cls, bounds), nearest)
+        bad = bad_leaves(Boxes(low[:, chosen], high[:, chosen], cls, bounds), nearest, plans)
         failed += [int(i) for i in chosen[bad]]
     return Replayed(low.shape[1], int(left_out.sum()), tuple(failed))
 
 
-def bad_leaves(boxes: Boxes, nearest: bool = False) -> Array:
+def bad_leaves(boxes: Boxes, nearest: bool = False, plans_of: Plans = plan_of) -> Array:
     """At which boxes has some possible pair of types no good corner?"""
-    plans = possible_plans(boxes)
+    plans = possible_plans(boxes, plans_of)
     wanted: dict[Ring, Array] = {}
     for plan, where in plans.items():
         for ring in {ring for corner in plan for rings in corner for ring in rings}:
@@ -217,11 +237,11 @@ def good_at(boxes: Boxes, ring: Ring, where: Array) -> Array:
     """At which of the boxes where it is asked for is a ring good?"""
     which = np.nonzero(where)[0]
     good = np.zeros(len(where), dtype=bool)
-    good[which] = boxes.chosen(which).triangulates(ring)
+    good[which] = triangulates(boxes.chosen(which), ring)
     return good
 
 
-def possible_plans(boxes: Boxes) -> dict[Plan, Array]:
+def possible_plans(boxes: Boxes, plans_of: Plans) -> dict[Plan, Array]:
     """The plans of all pairs of types that occur, and at which boxes."""
     rays = Rays(boxes)
     plans: dict[Plan, Array] = {}
@@ -232,7 +252,7 @@ def possible_plans(boxes: Boxes) -> dict[Plan, Array]:
         for kind_f, may_f in by_ray[F]:
             both = may_e & may_f
             if both.any():
-                plan = plan_of(boxes.cls, kind_e, kind_f)
+                plan = plans_of(boxes.cls, kind_e, kind_f)
                 if plan is not None:
                     plans[plan] = plans[plan] | both if plan in plans else both
     return plans

@@ -10,7 +10,7 @@ line just outside the block is kept for another vertex.
 Points are symbols, which `points` evaluates over boxes and `exact` at one place:
 
 - ("v",); ("g", k, l), a grid vertex;
-- ("row", ray, level) and ("column", ray, level, column, part), a q-vertex in place;
+- ("row", ray, level, part) and ("column", ray, level, column, part, clear), a q-vertex in place;
 - ("slid", that, point, (k, l)): where the segment from a point to a grid vertex crosses its ray.
 """
 
@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from proofs.lemma_2.block import Block
+from proofs.lemma_2.block import CORNERS, Block
 from proofs.lemma_2.rays import LOW, MIDDLE, E, F, GridNode
 
 Point = tuple[Any, ...]
@@ -136,8 +136,8 @@ class Warper:
     def in_place(self, i: int) -> Point:
         q = self.block.crosses[i]
         if q.kind == "row":
-            return ("row", q.ray, q.level)
-        return ("column", q.ray, q.level, q.column, q.own)
+            return ("row", q.ray, q.level, q.own)
+        return ("column", q.ray, q.level, q.column, q.own, q.clear)
 
     def fate(self, i: int) -> Point:
         """Where a q-vertex ends."""
@@ -184,6 +184,26 @@ class Warper:
                     least = ring.index(min(ring, key=repr))
                     found.add((*ring[least:], *ring[:least]))
         return tuple(sorted(found, key=repr))
+
+
+Place = tuple[int | None, GridNode]
+"""An instance of a ray, or, with None, an interior grid vertex."""
+
+
+def wished(made: Block) -> dict[Place, int]:
+    """How many q-vertices are near enough to a place to choose it, if they are free."""
+    count: dict[Place, int] = {}
+    for wish in Warper(made, CORNERS[0], {}).wishes:
+        if wish is not None:
+            ray, node = wish if isinstance(wish[1], tuple) else (None, wish)
+            count[ray, node] = count.get((ray, node), 0) + 1
+    return count
+
+
+def crowded(made: Block) -> GridNode | None:
+    """The interior grid vertex that more than two q-vertices would choose, if there is one."""
+    found = [node for (ray, node), count in wished(made).items() if ray is None and count > 2]
+    return found[0] if found else None
 
 
 def split(images: list[Point]) -> Iterator[list[Point]]:

@@ -90,7 +90,8 @@ def test_any_order_of_edges_will_do(kind: str, seed: int) -> None:
     demands = [(best_cuts, Demand(largest_kappa(mpq(1, 8))))]
     for edge in reversed(range(polygon.n)):
         for face in merger.along(edge):
-            possible = cuttable(face, polygon.lines[edge], points_of(boundary, face.staircase))
+            points = points_of(boundary, face.staircase)
+            possible = cuttable(face, polygon.lines[edge], points, mpq(1, 128))
             assert project(possible, demands, 10**9)[0].pieces
     assert merger.used == {n for item in boundary.mesh.projected for n in item.merged.faces}
 

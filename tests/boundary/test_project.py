@@ -31,6 +31,7 @@ from tests.boundary.samples import every_family
 from tests.checkers.merged_samples import END_FACE, LOW_CORNER, SLENDER
 
 TAU = mpq(1, 8)
+APART = TAU * TAU / 2
 OBJECTIVES: tuple[Objective, ...] = ("height", "angle")
 every_objective = pytest.mark.parametrize("objective", ("fewest", *OBJECTIVES))
 
@@ -40,7 +41,7 @@ def cut_faces(boundary: Boundary) -> Iterator[tuple[Projected, Cuttable]]:
     lines = boundary.warped.traced.diced.framed.polygon.lines
     for item in boundary.mesh.projected:
         face = item.merged
-        yield item, cuttable(face, lines[face.edge], points_of(boundary, face.staircase))
+        yield item, cuttable(face, lines[face.edge], points_of(boundary, face.staircase), APART)
 
 
 @every_family

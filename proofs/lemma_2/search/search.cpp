@@ -1,7 +1,7 @@
 // Searches the tree of boxes for Lemma 2's block half.  Nothing here is trusted: the tree that it
 // prints is replayed by proofs/lemma_2/replay.py in integers.  See README.md.
 //
-// Usage: search TABLE CLASS KAPPA TAU DEPTH [HEIGHT [NEAREST]] > tree
+// Usage: search TABLE CLASS KAPPA TAU DEPTH [HEIGHT [edges | nearest]] > tree
 // The tree in preorder, a byte a node: '0' a leaf, '1' to '4' a split of x, y, m_e or m_f.
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using std::vector;
 const int N = 8;  // x, y, m_e, m_f and a symbol for the column (ray, level) where m may be 0
 const double MARGIN = 2e-5;
 double KAPPA, TAU, HEIGHT;
-int CLASS, DEPTH, NEAREST;
+int CLASS, DEPTH, NEAREST, EDGES;
 
 struct Form {  // c + sum a_i e_i + r e, each e in [-1, 1]
   double c = 0, a[N] = {0}, r = 0;
@@ -53,7 +53,7 @@ Form divided(const Form& p, const Form& q, const Form& plus, double lo, double h
   Form fixed((lo + hi) / 2);
   (own >= 0 ? fixed.a[own] : fixed.r) = (hi - lo) / 2;
   double d = std::fabs(q.c), ro = q.rad();
-  if (ro >= 0.9 * d) return fixed;
+  if (ro >= 0.87 * d) return fixed;
   double q0 = p.c / q.c;
   Form R = p - q0 * q;
   Form s = (1 / q.c) * R;
@@ -63,7 +63,7 @@ Form divided(const Form& p, const Form& q, const Form& plus, double lo, double h
 }
 
 struct Kind { int cell1, part1, cell2, part2, below, above; };
-struct Point { int name = 0, ray = 0, level = 0, column = 0, part = 0, k = 0, l = 0; int base = 0; vector<Point> sub; };
+struct Point { int name = 0, ray = 0, level = 0, column = 0, part = 0, clear = 0, k = 0, l = 0; int base = 0; vector<Point> sub; };
 typedef vector<int> Ids;
 typedef vector<Ids> Outcomes;
 struct Plan { Outcomes corner[4]; };
@@ -74,8 +74,8 @@ vector<Kind> kinds; vector<vector<Point>> rings; vector<Plan> plans; vector<Pair
 Point read_point(std::istream& in) {
   Point p; in >> p.name;
   if (p.name == 1) in >> p.k >> p.l;
-  if (p.name == 2) in >> p.ray >> p.level;
-  if (p.name == 3) in >> p.ray >> p.level >> p.column >> p.part;
+  if (p.name == 2) in >> p.ray >> p.level >> p.part;
+  if (p.name == 3) in >> p.ray >> p.level >> p.column >> p.part >> p.clear;
   if (p.name == 4) { p.sub.push_back(read_point(in)); p.sub.push_back(read_point(in)); in >> p.k >> p.l; }
   return p;
 }
@@ -144,18 +144,75 @@ struct State {
     Form t = ux * (wx + KAPPA * wy) + uy * (wy - KAPPA * wx);
     return t.c - t.rad() > MARGIN;
   }
-  static bool good(const XY& a, const XY& b, const XY& c) {
-    Form ux = b.x - a.x, uy = b.y - a.y, wx = c.x - b.x, wy = c.y - b.y, zx = a.x - c.x, zy = a.y - c.y;
-    if (!wide(ux, uy, -1.0 * zx, -1.0 * zy)) return false;
-    if (!wide(wx, wy, -1.0 * ux, -1.0 * uy)) return false;
-    if (!wide(zx, zy, -1.0 * wx, -1.0 * wy)) return false;
+  // The line of the block's frame that a crossing is on: its level, and whether it is a column
+  static bool line(const Point& p, int& at) {
+    int q = p.ray ? CLASS : 0; bool column = (p.name == 3) != (q % 2 == 1);
+    int own = p.name == 3 ? p.column : p.level;
+    at = q == 0 || (q == 1 && p.name == 3) || (q == 3 && p.name == 2) ? own : 1 - own;
+    return column;
+  }
+  static bool crosses(const Point& p) { return p.name == 2 || p.name == 3; }
+  // Is q a crossing on a line through the grid vertex g, at least tau away?  column: which line
+  static bool aside(const Point& g, const Point& q, bool& column) {
+    if (g.name != 1 || !crosses(q) || q.part != 1) return false;
+    int at; column = line(q, at);
+    return at == (column ? g.k : g.l);
+  }
+  static bool clear(const Point& q, const Point& g) {
+    if (q.name == 2) return true;
+    int t = q.ray ? CLASS : 0, k = q.column;
+    for (int i = 0; i < 2; i++) if (q.clear >> i & 1) {
+      int l = q.level + i, at[4][2] = {{k, l}, {1 - l, k}, {1 - k, 1 - l}, {l, 1 - k}};
+      if (at[t][0] == g.k && at[t][1] == g.l) return true;
+    }
+    return false;
+  }
+  static bool on_ray(const Point& p, int ray) {
+    return p.name == 0 || (p.name == 4 ? p.sub[0].ray == ray : p.name != 1 && p.ray == ray);
+  }
+  static bool not_negative(const Form& t, bool exact) { return t.c - t.rad() >= (exact ? -1e-12 : MARGIN); }
+  bool long_side(const Point& p, const Point& q, const XY& a, const XY& b) const {
+    bool column, other;
+    if (p.name == 1 && q.name == 1) return true;
+    if (aside(p, q, column) || aside(q, p, column)) return true;
+    if (crosses(p) && crosses(q) && p.part == 1 && q.part == 1) {
+      int at; column = line(p, at); other = line(q, at);
+      if (column != other) return true;
+    }
+    Form x = b.x - a.x, y = b.y - a.y, t = x * x + y * y;
+    return t.c - t.rad() > TAU * TAU + 2e-5;
+  }
+  static bool good(const Point* p[3], const XY* z[3]) {
+    Form x[3], y[3];  // sides, from corner i to i + 1
+    for (int i = 0; i < 3; i++) { x[i] = z[(i + 1) % 3]->x - z[i]->x; y[i] = z[(i + 1) % 3]->y - z[i]->y; }
+    bool angle[3] = {false}, height[3] = {false};
+    if (HEIGHT > 0) for (int g = 0; g < 3; g++) {
+      int q = (g + 1) % 3, w = (g + 2) % 3; bool column[2] = {false}, beside[2];
+      for (int turn = 0; turn < 2; turn++, std::swap(q, w)) {
+        beside[turn] = aside(*p[g], *p[q], column[turn]);
+        if (!beside[turn]) continue;
+        if (clear(*p[q], *p[g]) && on_ray(*p[w], p[q]->ray)) height[(g + 1) % 3] = true;
+        Form along = z[w]->y - z[g]->y, off = z[w]->x - z[g]->x;
+        if (!column[turn]) std::swap(along, off);
+        if (off.c < 0) off = -1.0 * off;
+        bool exact = p[w]->name < 2;  // v or a grid vertex: no product, no rounding
+        if (!not_negative(off - along, exact) || !not_negative(off + along, exact)) continue;
+        angle[g] = true; height[w == (g + 1) % 3 ? g : w] = true;
+      }
+      if (beside[0] && beside[1] && column[0] != column[1]) height[(g + 1) % 3] = true;  // opposite g
+    }
+    Form cross = x[0] * y[1] - y[0] * x[1];
+    if (cross.c - cross.rad() <= MARGIN) return false;
+    for (int i = 0; i < 3; i++) {
+      int before = (i + 2) % 3;
+      if (!angle[i] && !wide(x[i], y[i], -1.0 * x[before], -1.0 * y[before])) return false;
+    }
     if (HEIGHT > 0) {  // cross > h s follows from 2 l cross > h (s^2 + l^2), for any l > 0
-      Form cross = ux * wy - uy * wx;
-      Form sides[3] = {ux * ux + uy * uy, wx * wx + wy * wy, zx * zx + zy * zy};
-      for (auto& s : sides) {
-        double l = std::sqrt(std::fabs(s.c));
+      for (int i = 0; i < 3; i++) if (!height[i]) {
+        Form s = x[i] * x[i] + y[i] * y[i];
+        double l = (1 + std::floor(256 * std::sqrt(std::fabs(s.c)))) / 256;  // as the replay
         Form t = 2 * l * cross - HEIGHT * s;
-        if (t.c - t.rad() - HEIGHT * l * l <= 1e-4) return false;
+        if (t.c - t.rad() - HEIGHT * l * l <= 2e-5) return false;
       }
     }
     return true;
@@ -167,8 +224,12 @@ struct State {
       bool ok[8][8] = {{false}};
       for (int i = 0; i + 1 < n; i++) ok[i][i + 1] = true;
       for (int w = 2; w < n; w++) for (int i = 0; i + w < n; i++) for (int k = i + 1; k < i + w && !ok[i][i + w]; k++)
-        if (ok[i][k] && ok[k][i + w]) ok[i][i + w] = good(z[i], z[k], z[i + w]);
+        if (ok[i][k] && ok[k][i + w]) {
+          const Point* p[3] = {&r[i], &r[k], &r[i + w]}; const XY* c[3] = {&z[i], &z[k], &z[i + w]};
+          ok[i][i + w] = good(p, c);
+        }
       known[id] = ok[0][n - 1];
+      if (EDGES) for (int i = 0; i < n && known[id]; i++) known[id] = long_side(r[i], r[(i + 1) % n], z[i], z[(i + 1) % n]);
     }
     return known[id];
   }
@@ -210,6 +271,8 @@ struct State {
       if (part < 2) {  // Y <= upper bound
         range(ray, level + (part == 0 ? TAU : 1 - TAU), lo, hi);
         if (right ? hi < column - eps : lo > column + eps) return false;
+        XY v = own(ray);  // below the crossing
+        if (v.y.c - v.y.rad() >= level + (part == 0 ? TAU : 1 - TAU) - eps) return false;
       }
       if (part > 0) {
         range(ray, level + (part == 1 ? TAU : 1 - TAU), lo, hi);
@@ -265,6 +328,7 @@ bool outside(const Box& b) {
 }
 
 long leaves = 0, stuck = 0, nodes = 0; int deepest = 0;
+double done = 0;  // the share of all parameters
 std::string tree;
 
 // Rings that fail; what is handed on
@@ -283,10 +347,10 @@ void halves(const Box& b, int d, Box& l, Box& h) { l = h = b; l.hi[d] = h.lo[d] 
 void search(const Box& b, int depth, long fails, const Heir* heir) {
   nodes++;
   deepest = std::max(deepest, depth);
-  if (nodes % 20000 == 0) fprintf(stderr, "%ld nodes %ld leaves %ld stuck, at depth %d x %.4f y %.4f me %.4f mf %.4f\n", nodes, leaves, stuck, depth, b.lo[0], b.lo[1], b.lo[2], b.lo[3]);
-  if (!fails) { leaves++; tree += '0'; return; }
+  if (nodes % 20000 == 0) fprintf(stderr, "%.4f done %ld nodes %ld leaves %ld stuck, at depth %d x %.4f y %.4f me %.4f mf %.4f\n", done, nodes, leaves, stuck, depth, b.lo[0], b.lo[1], b.lo[2], b.lo[3]);
+  if (!fails) { leaves++; done += std::ldexp(1.0, -depth); tree += '0'; return; }
   if (depth >= DEPTH) {
-    stuck++; tree += 'S';
+    stuck++; done += std::ldexp(1.0, -depth); tree += 'S';
     if (stuck < 30) fprintf(stderr, "STUCK x %.9f y %.9f me %.9f mf %.9f widths %g %g %g %g fails %ld\n", b.lo[0], b.lo[1], b.lo[2], b.lo[3], b.hi[0]-b.lo[0], b.hi[1]-b.lo[1], b.hi[2]-b.lo[2], b.hi[3]-b.lo[3], fails);
     return;
   }
@@ -323,7 +387,7 @@ void search(const Box& b, int depth, long fails, const Heir* heir) {
 int main(int argc, char** argv) {
   if (argc < 6) { fprintf(stderr, "usage: search TABLE CLASS KAPPA TAU DEPTH [HEIGHT [NEAREST]]\n"); return 2; }
   read_table(argv[1]); CLASS = atoi(argv[2]); KAPPA = atof(argv[3]); TAU = atof(argv[4]); DEPTH = atoi(argv[5]);
-  HEIGHT = argc > 6 ? atof(argv[6]) : 0; NEAREST = argc > 7;
+  HEIGHT = argc > 6 ? atof(argv[6]) : 0; EDGES = argc > 7 && argv[7][0] == 'e'; NEAREST = argc > 7 && argv[7][0] == 'n';
   Box b = {{0, 0, -1, -1}, {1, 1, 1, 1}};
   if (CLASS == 0) b.hi[0] = 0.5;
   if (CLASS == 2) b.hi[1] = 0.5;

@@ -1,6 +1,6 @@
 """Write the tables of the block program for `search.cpp`: one text file for each class of f.
 
-Usage: python -m proofs.lemma_2.search.tables DIRECTORY
+Usage: python -m proofs.lemma_2.search.tables DIRECTORY [crowded]
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from proofs.lemma_2.block import CORNERS, block
 from proofs.lemma_2.rays import ray_types
-from proofs.lemma_2.warping import Point, outcomes
+from proofs.lemma_2.warping import Point, crowded, outcomes
 
 CODES = {"v": 0, "g": 1, "row": 2, "column": 3, "slid": 4}
 
@@ -22,8 +22,11 @@ def code(point: Point) -> list[int]:
     return [CODES[point[0]], *point[1:]]
 
 
-def table(cls: int) -> str:
-    """The table of a class: types, rings, plans (by corner, outcomes of rings) and pairs."""
+def table(cls: int, only_crowded: bool) -> str:
+    """The table of a class: types, rings, plans (by corner, outcomes of rings) and pairs.
+
+    `only_crowded`: of crowded blocks alone, with the one corner that may then be taken.
+    """
     types = ray_types()
     rings: dict[tuple[Point, ...], int] = {}
     plans: dict[tuple[tuple[tuple[int, ...], ...], ...], int] = {}
@@ -33,11 +36,14 @@ def table(cls: int) -> str:
             made = block(cls, kind_e, kind_f)
             if made is None:
                 continue
+            own = crowded(made)
+            if only_crowded and own is None:
+                continue
             plan = tuple(
                 tuple(
                     sorted(
                         tuple(sorted(rings.setdefault(ring, len(rings)) for ring in found.rings))
-                        for found in outcomes(made, corner)
+                        for found in outcomes(made, own if only_crowded and own else corner)
                     )
                 )
                 for corner in CORNERS
@@ -63,4 +69,4 @@ def table(cls: int) -> str:
 
 if __name__ == "__main__":
     for number in range(4):
-        Path(sys.argv[1], f"table_{number}.txt").write_text(table(number))
+        Path(sys.argv[1], f"table_{number}.txt").write_text(table(number, len(sys.argv) > 2))

@@ -12,7 +12,7 @@ from gmpy2 import mpq
 from proofs.lemma_2.block import CORNERS, block
 from proofs.lemma_2.exact import Configuration, place, type_of
 from proofs.lemma_2.forms import ONE, Form
-from proofs.lemma_2.points import Bounds, Boxes, Place, roots
+from proofs.lemma_2.points import Bounds, Boxes
 from proofs.lemma_2.rays import E, F
 from proofs.lemma_2.replay import Rays, scaled
 from proofs.lemma_2.warping import outcomes
@@ -55,42 +55,3 @@ def test_types_and_places(cls: int) -> None:
                 for point in {point for ring in found.rings for point in ring}:
                     forms, exact = boxes.place(point), place(c, point)
                     assert is_within(forms.x, exact[0]) and is_within(forms.y, exact[1])
-
-
-def test_angles_and_heights_of_exact_triangles() -> None:
-    random = Random("triangles")
-    zero = np.zeros((4, 1), dtype=np.int64)
-    boxes = Boxes(zero, zero, 0, Bounds((9, 10), scaled(1, 8), (3, 6)))
-    seen = set()
-    for _ in range(600):
-        size = random.choice((ONE // 16, ONE // 4, 2 * ONE))
-        corners = [(random.randrange(-size, size), random.randrange(-size, size)) for _ in "abc"]
-        a, b, c = (Place(*(Form(np.array([z])) for z in corner)) for corner in corners)
-        angle, squared = least_cotangent_and_height(corners)
-        high = bool(boxes.is_high((b - a, c - b, a - c)))
-        assert high <= (squared > mpq(3, 64) ** 2) and high >= (squared > mpq(3, 64) ** 2 * 33 / 32)
-        good = bool(boxes.is_good(a, b, c))
-        assert good == (high and angle > -mpq(9, 10))
-        seen.add((good, high))
-    assert seen == {(True, True), (False, True), (False, False)}
-
-
-def least_cotangent_and_height(corners: list[tuple[int, int]]) -> tuple[mpq, mpq]:
-    """Of a triangle, in grid units and squared; its height is negative if it is clockwise."""
-    sides = [
-        (corners[i][0] - corners[i - 1][0], corners[i][1] - corners[i - 1][1]) for i in range(3)
-    ]
-    cross = mpq(sides[0][0] * sides[1][1] - sides[0][1] * sides[1][0])
-    if cross <= 0:
-        return mpq(-(10**9)), mpq(-1)
-    dots = [
-        -(u[0] * w[0] + u[1] * w[1]) for u, w in zip(sides, [*sides[1:], sides[0]], strict=True)
-    ]
-    longest = max(u[0] ** 2 + u[1] ** 2 for u in sides)
-    return min(dots) / cross, cross * cross / longest / ONE**2
-
-
-def test_roots_are_near() -> None:
-    squares = np.arange(1 << 20, dtype=np.int64)
-    found = roots(squares)
-    assert (abs(found * found - squares) <= 2 * found + 2).all() and (found > 0).all()

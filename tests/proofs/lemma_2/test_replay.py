@@ -8,13 +8,15 @@ import numpy as np
 import pytest
 from gmpy2 import mpq
 
-from proofs.lemma_2.block import DOWN, LEFT, RIGHT, UP
-from proofs.lemma_2.exact import Configuration, configuration, kappas
+from proofs.lemma_2.block import DOWN, LEFT, RIGHT, UP, block
+from proofs.lemma_2.exact import Configuration, configuration, kappas, type_of
 from proofs.lemma_2.forms import ONE
 from proofs.lemma_2.points import Bounds
-from proofs.lemma_2.replay import replay, scaled
+from proofs.lemma_2.rays import E, F
+from proofs.lemma_2.replay import crowded_plan_of, replay, scaled
 from proofs.lemma_2.statements import CERTIFICATES, statement
 from proofs.lemma_2.tree import leaves, stored
+from proofs.lemma_2.warping import crowded
 from tests.proofs.lemma_2.configurations import TAU, box_round, some_configuration
 
 CLASSES = (UP, LEFT, DOWN, RIGHT)
@@ -97,6 +99,23 @@ def test_only_the_closest_corner_does_not_do() -> None:
     chosen = np.arange(0, found.low.shape[1], 1500)
     done = replay(found.low[:, chosen], found.high[:, chosen], LEFT, KAPPA_135, nearest=True)
     assert done.failed
+
+
+def crowd() -> Configuration:
+    """Three q-vertices near (0, 0): e beside it on a row and on a column, f on a row."""
+    v = (mpq(1, 20), mpq(1, 20))
+    return configuration(v, (mpq(-1), mpq(-30, 100)), (mpq(32, 100), mpq(-1)))
+
+
+@pytest.mark.parametrize("crowds", [False, True])
+def test_more_than_two_would_choose_a_grid_vertex_only_if_v_takes_it(crowds: bool) -> None:
+    c = crowd() if crowds else as_printed()
+    made = block(c.cls, type_of(c, E, TAU), type_of(c, F, TAU))
+    assert made is not None and (crowded(made) is not None) == crowds
+    (low, high), claim = box_round(c), Bounds((1, 1), scaled(1, 8), (91, 10), edges=True)
+    assert not replay(low, high, c.cls, claim, plans=crowded_plan_of).failed
+    higher = claim._replace(height=(1, 0))  # asked of crowded blocks alone
+    assert bool(replay(low, high, c.cls, higher, plans=crowded_plan_of).failed) == crowds
 
 
 def test_a_sample_is_not_called_a_proof() -> None:
