@@ -155,7 +155,7 @@ ERRATA = (
         "thin-end-face",
         ("lemma-5.printed-end-height",),
         2,
-        "Refutes the same even more: a projection next to the end of an edge leaves 0.00016 b.",
+        "Refutes the same even more: a projection next to the end of an edge leaves 0.00015 b.",
         [[(17, 15), (15, 19), (0, 3)]],
         turned=True,
     ),

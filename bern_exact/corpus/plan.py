@@ -10,7 +10,7 @@ from bern_exact.corpus.families import FAMILIES, Family
 from bern_exact.exact.errors import InputError
 from bern_exact.exact.numbers import shown
 
-GENERATOR = 1
+GENERATOR = 2
 """The generator's version: higher whenever any byte of any case would be another one."""
 
 _CASE = re.compile(r"(?P<family>[a-z0-9-]+?)(?P<given>(?:\.[a-z_]+=[0-9]+)*)-(?P<number>[0-9]{3,})")
