@@ -51,7 +51,8 @@ NOTES: Sequence[str] = (
 )
 """Where each entry is shown."""
 
-LATER = """Later results, for orientation only (nothing of them is implemented or checked here):
+LATER = """Later results as their abstracts state them, for orientation only (nothing of them is
+implemented or checked here):
 
 | result | triangles | angles |
 | --- | --- | --- |
@@ -59,6 +60,7 @@ LATER = """Later results, for orientation only (nothing of them is implemented o
 | T.-S. Tan 1996, PSLG | O(n^2) | at most 132 degrees |
 | Bern, Mitchell, Ruppert 1995, polygon with holes | O(n) | at most 90 degrees |
 | Bishop 2016, PSLG | O(n^2.5) | at most 90 degrees |
+| Bishop 2016, triangulation of a simple polygon | O(n^2) | at most 90 degrees |
 | Bishop 2016, PSLG | O(n^2/epsilon^2) | at most 90 + epsilon degrees, any epsilon > 0 |
 
 With O(n) nonobtuse triangles for every polygon, Theorems 2 to 4 are no longer the best in order of
