@@ -94,10 +94,11 @@ def row_at_a_block() -> str:
     it had moved onto another edge f, less than tau away, e and f would have a common end, as no
     others are so near, and by `near_a_face` p would be less than 2 from it.  It is not the upper
     end, which is 8 from v, and |vp|^2 < 4 + 9.  So it is v, and not with (0, 1), as h + 1 > 2.
-    With (0, 0): let r = |vp|.  The angles from vp to e and f are at least 90 degrees together, so p
-    is at least sqrt(r^2 - tau^2) from e.  It is w < 1 times the sine of e's angle from it: so r^2 <
-    1 + tau^2, |x| < tau, w > 1 - tau^2.  Then e has a slope of h/(w - x) < r/(1 - tau^2 - tau):
-    that sine is too small.  So (0, 0) does not move, and a is (w, 0).
+    With (0, 0): let r = |vp|.  The angles from vp to e and f are at least 90 degrees together, that
+    to e less than 90, as |pa| = w < h; so p is at least sqrt(r^2 - tau^2) from the line of e.  It
+    is w < 1 times the sine of e's angle from it: so r^2 < 1 + tau^2, |x| < tau, w > 1 - tau^2.
+    Then e has a slope of h/(w - x) < r/(1 - tau^2 - tau): that sine is too small.  So (0, 0) does
+    not move, and a is (w, 0).
 
     (2) c_1 c_2 is the left side of F_1.  If the upper left corner is cut off, by an edge 8 from e
     (`faces_before_warping`), c_2 is 8 from a, across the convex face, and not 1 beside it: it is

@@ -68,13 +68,13 @@ def every_merged_face() -> str:
       convex, and split by either diagonal.
     - If both c_2 and its mirror image c_3 are not projected, and are neighbours, likewise a b c_3
       c_2.
-    - A rectangle with corners moved onto e: at most 90 + arctan(2 tau) + arctan(tau).
+    - A rectangle with corners moved onto e: at most 90 + 2 arctan(2 tau).
     """
     tau = symbols("tau")
     y = tau / (1 + 2 * tau**2)
     demand_equal((2 * tau - tau) / (1 + 2 * tau * tau), y, "tan(arctan 2 tau - arctan tau)")
     demand_equal(left_out(tau), 1 - (1 - y) / (1 + y), "1 - left_out() = (1 - y)/(1 + y)")
-    demand(bool(bounds.slope() + TAU < 1 - bounds.slope() * TAU), "rectangles: below 135 degrees")
+    demand(bool(2 * bounds.slope() < 1 - bounds.slope() ** 2), "rectangles: below 135 degrees")
     common = 5 * (1 - TAU) ** 2  # squared; sqrt(common) + 2 sqrt 8 < 8
     demand(bool(common < 32), "")
     demand(bool(4 * 32 * common < (FACTOR**2 - 32 - common) ** 2), "a and b are further apart")
@@ -92,8 +92,13 @@ def projected_vertices() -> str:
     """x: let e be L to the right of an unmoved grid vertex c, and D below: x = L D/(L + D).
 
     L, D >= tau, since nearer crossings would have moved c: what is between c and e is in P', as
-    there is no end of an edge less than 1 from c, nor another edge so near.  A grid vertex that has
-    moved onto another edge, or a q-vertex there, is at least 1/sqrt 2 from e (`near_a_face`).
+    there is no end of an edge less than 1 from c, nor another edge so near.  Only a q-vertex whose
+    anchor has moved in substep 1 does not choose c: let it be on the row.  Its anchor is a corner
+    of the square of an end v of e, and c, on no open block, 1 to the left of it on the block's left
+    side. v is above and to the right of the q-vertex, and less than 1 above the row: so e comes
+    into the block, upwards, less than 1 below c. All of M is before that: t(b) < t(c), and c is not
+    projected.  (Likewise on the column, and t(a) > t(c).)  A grid vertex that has moved onto
+    another edge, or a q-vertex there, is at least 1/sqrt 2 from e (`near_a_face`).
 
     t: a piece of another edge is at least tau long, and rises.  A side between grid vertices grows
     by 1 less 2 tau.  One that ends in a q-vertex on an edge f begins in a grid vertex that has not
@@ -157,12 +162,13 @@ def half_of_tau() -> str:
       (-k, h), 0 <= k < tau, h >= 2: x >= w + k = z, T = h - z and |a c_2| is h by z: at h = 2 it is
       least, and z (2 - z) is concave. c_2 on another edge: x >= 1/2, h > 7.
     - c_2 = (0, 1) not projected.  It is more than 1 from all edges but e, by the argument (1) of
-      `lemma_4.row_at_a_block`: t(c_3) >= t(c_2) + 1 - 2 tau. c_2 is at least w from e, and the part
-      of e in the piece a f c_3 c_2 at least (1 - 2 tau)/sqrt 2 long: a f c_2 is high enough.  If
-      c_3 is above c_2, f c_3 c_2 is c' p' c in a trapezoid.  If it is to the right, x >= 1/2 or c_3
-      is unmoved: take the diagonal a c_3, at most T = t(c_3) - t(a) long, or 2 T if c_3 has moved.
-      If c_3 is not projected either: c_2 c_3 is axis-parallel, b at least w' or 1 from it.
-    - Rectangles: sides of at least 1 - 2 tau at angles of 90 +- arctan(2 tau) +- arctan(tau).
+      `lemma_4.row_at_a_block`: t(c_3) >= t(c_2) + 1 - 2 tau, also if c_3 = b is on e, w or more to
+      the right of c_2. c_2 is at least w from the line of e, and the part of e in the piece a f c_3
+      c_2 at least (1 - 2 tau)/sqrt 2 long: a f c_2 is high enough.  If c_3 is above c_2, f c_3 c_2
+      is c' p' c in a trapezoid.  If it is to the right, x >= 1/2 or c_3 is unmoved: take the
+      diagonal a c_3, at most T = t(c_3) - t(a) long, or 2 T if c_3 has moved.  If c_3 is not
+      projected either: c_2 c_3 is axis-parallel, b at least w' or 1 from it.
+    - Rectangles: sides of at least 1 - 2 tau at angles of at most 90 +- 2 arctan(2 tau).
     """
     third = mpq(1, 3)
     growth = (1 / ROOT_2 - ROOT_2 * third) / stretch(TAU)
@@ -176,15 +182,15 @@ def half_of_tau() -> str:
         "column, merged": 1 / (1 / TAU + 1 + TAU) / stretch(TAU),
         **_heights_at_a_row(),
         **_heights_left_out(),
-        "rectangle": (1 - 2 * TAU) * mpq(9, 10) / mpq(5, 3),
+        "rectangle": (1 - 2 * TAU) * mpq(7, 8) / mpq(7, 4),
     }
     for name, height in cases.items():
         demand(bool(height >= TAU / 2), f"{name}: tau/2")
     demand(beside_a_diagonal() >= TAU / 2, "(ii), x' > h, over c p'")
-    # cos and sin of 90 +- arctan(2 tau) +- arctan(tau), squared: the third side is below 5/3.
-    tangent = (3 * TAU) / (1 - 2 * TAU * TAU)
+    # cos and sin of 90 +- 2 arctan(2 tau), squared: the third side is below 7/4 of the longer one.
+    tangent = (4 * TAU) / (1 - 4 * TAU * TAU)
     cosine = tangent**2 / (1 + tangent**2)
-    demand(bool(1 - cosine >= mpq(81, 100) and 4 * cosine <= (mpq(25, 9) - 2) ** 2), "rectangle")
+    demand(bool(1 - cosine >= mpq(7, 8) ** 2 and 4 * cosine <= (mpq(49, 16) - 2) ** 2), "rectangle")
     demand(bounds.merged_height_squared() == TAU**2 / 4, "merged_height_squared()")
     return "x = tau/2 at c, L and D being tau"
 
@@ -243,6 +249,7 @@ def _heights_at_a_row() -> dict[str, mpq]:
 def _heights_left_out() -> dict[str, mpq]:
     """c_0 c_1 on a row and c_2 not projected."""
     w, growth = 1 - left_out(), 1 - 2 * TAU
+    demand(bool(w >= growth), "c_3 = b")
     part = growth / ROOT_2
     return {
         "left out": min(w, part * w / ROOT_2, part * w / (part + ROOT_2)),

@@ -77,7 +77,8 @@ def faces_before_warping() -> str:
 @CHAPTER.proved(
     "Lemma 2, faces",
     "Every point of a face outside blocks is at least 1 from every vertex of P' and less than "
-    "1/sqrt 2 from at most one edge.",
+    "1/sqrt 2 from at most one edge.  A point of an edge f that is less than tau from one of the "
+    "face is at least 1 - tau > 1/sqrt 2 from all other edges.",
     WRITTEN,
 )
 def near_a_face() -> str:
@@ -85,9 +86,12 @@ def near_a_face() -> str:
 
     Edges without a common end are at least s' apart.  If e and f meet at v, let a point p be x and
     y from them, and phi and psi the angles from vp to them, phi + psi >= 90: the greater of x
-    and y is at least |vp| sin 45, so that |vp| <= sqrt 2 max(x, y).
+    and y is at least |vp| sin 45, so that |vp| <= sqrt 2 max(x, y).  (Within P' no vertex is in
+    the way: one between, in the triangle of v and the feet, would be less than s' from v.)
+    If p is on f itself, it is |vp| from e, which is at least 1 - tau.
     """
     demand(bool(2 * mpq(1, 2) <= 1 and FACTOR**2 > 2), "sqrt 2 / sqrt 2 = 1; 8 > 2/sqrt 2")
+    demand(bool(2 * (1 - bounds.TAU) ** 2 > 1), "1 - tau > 1/sqrt 2")
     return "|vp| <= sqrt 2 max(x, y)"
 
 
@@ -111,7 +115,10 @@ def what_moves() -> str:
     The q-vertex q' that (e, c) moves to has not merged itself: its inner neighbour g' would have
     moved onto e.  Let q' be on the column through c, q on the row.  |q'c| < |qc|, so that e
     has a slope below 1.  g' is at least 1 - tau above q', at least 1 - tau to the left of e:
-    more than tau.  (The same with row and column exchanged.)
+    more than tau.  There is a g': otherwise the interval of q' would run within the open block of
+    an end v of e, on an inner line, from e to the other edge at v, past the height of v, as they
+    make at least 90 degrees; so c would be a corner of v's square, as in substep 1.  (The same
+    with row and column exchanged.)
     """
     demand(bool(1 - bounds.TAU > bounds.TAU and 2 * bounds.TAU**2 < 1), "tau <= 1/8")
     return "all of substep 1 is within open blocks"
@@ -128,15 +135,29 @@ def faces_after_warping() -> str:
     """Lengths along a side's own axis stay positive: 1 - 2 tau, or from a grid vertex g to q on e.
 
     There: g unmoved, q stays or is at the other line through its anchor, further away; or g
-    on another edge, at least 1/sqrt 2 from e.  Slopes: `slope_of_almost_axis_parallel_edges`.  So
-    the directions are in the order east, e, north, west, f, south as before, each in its own
-    range, as 2 arctan(2 tau) < 90; it remains to see that the turns at q-vertices are to the left.
+    on another edge, at least 1/sqrt 2 from e; or g on e, and the side has vanished.  Slopes:
+    `slope_of_almost_axis_parallel_edges`.  So the directions are in the order east, e, north, west,
+    f, south as before, each in its own range, as 2 arctan(2 tau) < 90; it remains to see that
+    pieces of e keep their direction, and that the turns at q-vertices are to the left.
+
     At q on e, e crosses the segment from g's image to the anchor, or to where that moved on e,
     with the image inside: it is in P', and if it were beyond the line of e, this line would
     pass between g and its image, less than tau from g, as e itself, against `near_a_face`,
     or beyond an end of e, which would be a vertex less than 1 from the face.  Where a piece of e
     vanishes, row and column meet, 90 degrees +- 2 arctan(2 tau).
-    A rectangle of which two corners have moved onto e has a side there.
+
+    A piece of e from p up to q.  Both on columns, or on rows: each stays within tau of its line.
+    On a column and a row that meet in a corner of the face: below its image and to the right of it.
+    Else p is on a row y and q on a column k; their anchors are (k', y), k' <= k, and (k, y'), y' >=
+    y, as both lines are in use. If p merges with a q-vertex on column k', or q with one on row y',
+    this is the other of the two, and the piece vanishes.  Else p goes up only if it slides, and is
+    to the left of column k' then; and q down only if it slides, and is above row y'. If both do:
+    either k' < k, and q is less than tau from column k; or y' > y, likewise; or their anchors are
+    one point, from which p is seen to the west and q to the north.
+
+    A rectangle of which two corners have moved onto e has a side there.  In a face with a piece of
+    e a corner that moves onto e is the end of a side that ends there, and vanishes: to the right of
+    all others, and below them, there are corners of the face.
     """
     tau, rest = symbols("tau rest")
     eighth = sympy.Rational(1, 8) / (1 + rest)
@@ -149,29 +170,36 @@ def faces_after_warping() -> str:
 
 @CHAPTER.proved(
     "Lemma 2, faces",
-    "A face outside blocks of which two corners move onto one edge e is a rectangle with no other "
-    "side on P'; e has a slope below tau to that side's axis.",
+    "A face outside blocks of which two corners move onto one edge e, and that had no piece of e, "
+    "is a rectangle with no other side on P'; the corners are neighbours, and e has a slope below "
+    "tau to the axis of the side between.",
     WRITTEN,
 )
 def sides_by_moving() -> str:
-    """Let it be the right side, x = k, from row y to row y' >= y + 1, e less than tau to the right
+    """Two opposite corners A and B: e runs from one to the other, outside the face, so on one side
 
-    of both ends: e has a slope below tau to the vertical.  Suppose that the face has another side
-    on an edge f.  Then f cuts off a corner on the left, or both corners on the left move onto f
-    (the two upper ones cannot, (k, y') moving onto e).  By a reflection it is the upper left corner
-    that is cut off, or moves.  So row y', from f to e, has only (k, y') as a grid vertex, or this
-    and the upper left corner.  By `intervals_have_grid_vertices` one of them is in the block of the
-    vertex w for which the row is kept; let it be (k, y'), which is no restriction: if both are
-    there, e and f have the same part. w is at most 2 sqrt 2 from (k, y'), less than s' from e: it
-    is an end of e.  It is at most 2 above or below row y', so less than 3 tau < 1 beside k; k - 1
-    is a line of the block.  Where (k - 1, y') is on the row it is a grid vertex: it is the upper
-    left corner, or it is beyond f.  So f meets the row less than 1 + tau to the left of k.  Then e
-    and f have a common end, which is less than sqrt 2 (1 + tau) from (k, y'), so that it is w.  The
-    angle at w is at least 90 degrees, and e is steep: from w to row y' f rises or falls by at most
-    tau a unit, less than 1 in all.  So f is not steep, as it is where two corners on the left move
-    onto it; and it meets row y' in the open block, less than 1 to the left of k, against (b).
+    of AB this is less than tau wide.  But its sides from A and from B are there at least 1/sqrt 2
+    long (`near_a_face`), and one of them ends at least 1/2 from AB.
+
+    So let it be the right side, x = k, from row y to row y' >= y + 1, e less than tau to the right
+    of both ends (an end of which e is above or below is nearer to it along its row): e has a slope
+    below tau to the vertical.  Suppose that the face has another side on an edge f.  Then f cuts
+    off a corner on the left, or both corners on the left move onto f (the two upper ones cannot,
+    (k, y') moving onto e).  By a reflection it is the upper left corner that is cut off, or moves.
+    So row y', from f to e, has only (k, y') as a grid vertex, or this and the upper left corner.
+    By `intervals_have_grid_vertices` one of them is in the block of the vertex w for which the row
+    is kept; let it be (k, y'), which is no restriction: if both are there, e and f have the same
+    part. w is at most 2 sqrt 2 from (k, y'), less than s' from e: it is an end of e.  It is at most
+    2 above or below row y', so less than 3 tau < 1 beside k; k - 1 is a line of the block.  Where
+    (k - 1, y') is on the row it is a grid vertex: it is the upper left corner, or it is beyond f.
+    So f meets the row less than 1 + tau to the left of k.  Then e and f have a common end, which is
+    less than sqrt 2 (1 + tau) from (k, y'), so that it is w.  The angle at w is at least 90
+    degrees, and e is steep: from w to row y' f rises or falls by at most tau a unit, less than 1 in
+    all.  So f is not steep, as it is where two corners on the left move onto it; and it meets row
+    y' in the open block, less than 1 to the left of k, against (b).
     """
     tau = bounds.TAU
+    demand(bool(tau < mpq(1, 2)), "1/sqrt 2 times sin 45")
     demand(bool(8 < (FACTOR - tau) ** 2), "2 sqrt 2 + tau < 8")
     demand(bool(3 * tau < 1 and 1 + 2 * tau < FACTOR), "3 tau < 1, 1 + 2 tau < 8")
     common = 2 * (1 + tau) ** 2  # squared; the two ends of e are at least 8 apart

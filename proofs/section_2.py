@@ -247,30 +247,48 @@ def choosers() -> str:
 
 @CHAPTER.proved(
     "Section 2, warping",
-    "All edges with no end in a block are at least b/8 = tau b long after warping, for tau <= 1/3.",
+    "All edges of faces outside blocks are at least b/8 = tau b long after warping, for tau <= "
+    "1/6.",
     IDENTITY,
 )
 def least_edge() -> str:
-    """Grid vertices outside blocks move onto one edge of P' each (`choosers`), by at most tau.
+    """Notation and facts are those of `outside_blocks`: the grid vertices of these faces move onto
 
+    one edge each, by less than tau, and their q-vertices may choose.
     - Between grid vertices, moved or not: at least 1 - 2 tau >= tau.
-    - From a grid vertex g to a q-vertex on e: if g moved, it moved onto e, where q merges with it.
-      So g stays and |qg| >= tau.  If q's anchor c moved, q is at a chooser q' of (e, c), less than
-      tau from c, which is at least 1 from g: at least 1 - tau.  Else q stays.
-    - Between q-vertices p and q of two edges: at least s' if these have no common end; else they
-      meet at v at 90 degrees or more within P', so |pq| >= |vp| >= 1, as p is in no block.
-    - Between nodes on e: they are at places of q-vertices.  On parallel grid lines: at least 1.  On
-      lines that cross at g: if either is less than tau from g, then g or its instance on e moves
-      onto e, and both merge with it.  Else they are at least sqrt 2 tau apart.
+    - From a grid vertex g to a q-vertex on e: if g moved onto e, q merges with it.  If it moved
+      onto another edge, it is at least 1 - tau from e.  Else g stays and |qg| >= tau.  If q's
+      anchor c moved, q is at a chooser q' of (e, c), less than tau from c, which is at least 1 from
+      g: at least 1 - tau.  Else q stays.
+    - Between q-vertices of two edges: there are no such sides.
+    - Between nodes on e, at q-vertices or where these slid.  On parallel grid lines, less than tau
+      from them: at least 1 - 2 tau.  On lines that cross at g, neither slid: if either is less than
+      tau from g, then g or its instance on e moves onto e, and both merge with it.  Else they are
+      at least sqrt 2 tau apart.
+    - The same if one or both slid.  If g is their inner neighbour, they are at least 1/sqrt 2
+      from its image, in directions 90 - 2 arctan(tau) > 60 degrees apart: so they are 1/sqrt 2
+      apart.  If g is the anchor of both, let e be L >= tau to the left of it and D >= tau above.
+      They slide on lines of slopes s, s' <= tau to the axes and end up r (1 - s s')/((1 + s r)
+      (r + s')) sqrt(L^2 + D^2) apart, r = L/D; this is least for r = 1, as it grows with r for
+      L > D = tau.  Else one is a line before the other: at least 1 - tau.
     """
     tau, rest = symbols("tau rest")
     demand_equal(bounds.edge_squared(tau), tau**2, "edge_squared()")
-    third = sympy.Rational(1, 3) / (1 + rest)
+    sixth = sympy.Rational(1, 6) / (1 + rest)
     for least in (1 - 2 * tau - tau, 1 - tau - tau):
-        demand_nonnegative(sympy.cancel(least.subs(tau, third) * (1 + rest)), "at least tau")
+        demand_nonnegative(sympy.cancel(least.subs(tau, sixth) * (1 + rest)), "at least tau")
+    demand(bool(3 * (2 * mpq(1, 6)) ** 2 < (1 - mpq(1, 6) ** 2) ** 2), "2 arctan(tau) < 30 degrees")
+    s, t, ratio = symbols("s t r")
+    # On e, from L to the left to D above: where s r/(1 + s r) and t/(r + t) are taken away.
+    left = 1 - s * ratio / (1 + s * ratio) - t / (ratio + t)
+    demand_equal(left, ratio * (1 - s * t) / ((1 + s * ratio) * (ratio + t)), "both slid")
+    # sqrt(1 + r^2)/(1 + s r) and r/(r + t) grow for r >= s.
+    slopes = sympy.diff((1 + ratio**2) / (1 + s * ratio) ** 2, ratio) * (1 + s * ratio) ** 3
+    demand_equal(slopes, 2 * (ratio - s), "grows with r")
+    slid = 2 * (1 - tau) ** 2 - (1 + tau) ** 2  # for r = 1, squared, over tau^2
+    demand_nonnegative(sympy.cancel(slid.subs(tau, sixth) * (1 + rest) ** 2), "sqrt 2 tau ...")
     demand_nonnegative(2 * tau**2 - bounds.edge_squared(tau), "sqrt 2 tau")
-    demand(bool(bounds_grid.FACTOR > bounds.TAU), "s'")
-    return "1 - 2 tau, 1 - tau and sqrt 2 tau are at least tau"
+    return "1 - 2 tau, 1 - tau and sqrt 2 tau (1 - tau)/(1 + tau) are at least tau"
 
 
 @CHAPTER.proved(
