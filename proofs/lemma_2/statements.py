@@ -235,6 +235,16 @@ def wishes() -> str:
 
 @CHAPTER.open(
     "Lemma 2, blocks (repaired)",
+    "Diagonals of block faces, too, are at least tau long (`lemma-2.block-edges`).",
+)
+def diagonals() -> str:
+    """The rule asks for sides; of the corner it takes no more is known of diagonals."""
+    demand(bounds.boundary_height_squared() * 2 == bounds.edge_squared(), "tau/sqrt 2")
+    return "at least tau/sqrt 2, as sides of triangles of that height; tau checked on every run"
+
+
+@CHAPTER.open(
+    "Lemma 2, blocks (repaired)",
     "The shipped rule finds a corner for every smaller tau (`--max-angle`), too.",
 )
 def other_thresholds() -> str:
