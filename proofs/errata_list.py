@@ -112,8 +112,8 @@ ERRATA: Sequence[Erratum] = (
         "Section 2, proof of Lemma 2",
         "When the face warps, at most two of its vertices move, moving at most b/8.",
         "printed.two_vertices_move",
-        "An octagon: in a slanted corridor 45 b wide a face 1 b high has one corner near the wall "
-        "on its right and two near the steep wall on its left.",
+        f"The octagon {written('three-corners')}: in a slanted corridor 45 b wide a face 1 b "
+        "high has one corner near the wall on its right and two near the steep one on its left.",
         "At most two edges cross the rectangle, but others may pass within b/8 of its corners.",
         "The proof needs this nowhere: faces stay convex, with at most six sides, and sides on at "
         "most two edges of P', whose slopes have the same sign.",
