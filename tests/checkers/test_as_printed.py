@@ -6,6 +6,7 @@ import json
 
 from gmpy2 import mpq
 
+from bern_exact import triangulate
 from bern_exact.boundary.records import Cut, Lopped
 from bern_exact.checkers.as_printed import (
     check_boundary_as_printed,
@@ -17,6 +18,7 @@ from bern_exact.checkers.as_printed import (
 from bern_exact.checkers.definition_1 import admissible_distance
 from bern_exact.checkers.findings import Finding, demand
 from bern_exact.checkers.printed_cut import printed_boxes
+from bern_exact.corpus.errata import BY_NAME
 from bern_exact.exact.points import grid_point, hpoint
 from bern_exact.exact.predicates import squared_distance
 from bern_exact.interior.records import Column, Rectilinear, Swept, SweptColumn
@@ -131,10 +133,17 @@ def test_the_block_angle_of_a_refused_corner_is_that_of_its_best_triangulation()
 
 
 def test_almost_an_eighth_is_too_optimistic_only_where_it_is() -> None:
-    (found,) = check_boundary_as_printed(stages_of("plate").boundary)
+    found, _ = check_boundary_as_printed(stages_of("plate").boundary)
     assert found.cases > 0
     assert isinstance(found.measured, str)
     assert found.holds == (mpq(found.measured) >= mpq(1, 64))
+
+
+def test_three_corners_of_a_face_may_move() -> None:
+    made = triangulate(BY_NAME["three-corners"].rings, theorem=1)
+    _, moved = check_boundary_as_printed(made.stages["boundary"])
+    assert not moved.holds and moved.measured == 3
+    assert len(moved.witness) == 4
 
 
 def test_the_unit_square_refutes_height_b() -> None:
@@ -164,7 +173,7 @@ def test_all_are_reported_and_never_raised() -> None:
         *check_boundary_as_printed(stages.boundary),
         *check_swept_as_printed(stages.swept),
     ]
-    assert len(demand(findings)) == len({f.claim for f in findings}) == 8
+    assert len(demand(findings)) == len({f.claim for f in findings}) == 9
     assert all(f.role == "as-printed" for f in findings)
     json.dumps([[f.to_json(), f.witness] for f in findings])
 

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 import pytest
 from gmpy2 import mpq
 
+from bern_exact import triangulate
 from bern_exact.boundary.records import Projected
 from bern_exact.checkers import bounds
 from bern_exact.checkers.findings import demand
@@ -17,6 +18,7 @@ from bern_exact.checkers.lemma_4 import check_lemma_4
 from bern_exact.checkers.lemma_5 import check_lemma_5
 from bern_exact.checkers.printed_ends import check_merged_as_printed
 from bern_exact.checkers.warping import check_faces
+from bern_exact.corpus.errata import BY_NAME
 from bern_exact.exact.angle_bound import parse_angle_bound
 from bern_exact.exact.angles import ANGLE_150, ANGLE_180
 from bern_exact.exact.points import along, grid_point
@@ -390,9 +392,16 @@ def test_every_boundary_guarantee_holds_with_holes(name: str) -> None:
 
 
 def test_height_does_not_come_for_free_at_the_end_faces() -> None:
-    shape, height = check_merged_as_printed(merged_of("end-face").merged)
+    shape, _, height = check_merged_as_printed(merged_of("end-face").merged)
     assert shape.holds and not height.holds
     assert mpq(height.measured) < mpq(1, 10**7)
+
+
+def test_an_end_face_may_have_more_than_150_degrees() -> None:
+    made = triangulate(BY_NAME["obtuse-end-face"].rings, theorem=2)
+    shape, angle, _ = check_merged_as_printed(made.stages["merged"])
+    assert shape.holds and not angle.holds
+    assert -2 < mpq(angle.measured) < mpq(-179, 100)
 
 
 def test_merged_faces_lower_than_other_boundary_faces_can_be() -> None:
