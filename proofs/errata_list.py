@@ -150,7 +150,11 @@ ERRATA: Sequence[Erratum] = (
         "A projection can land next to the end of e; nothing keeps them apart.",
         "The first and the last diagonal may be left out; the fewest diagonals are drawn that "
         "keep both bounds.",
-        ("lemma_5.every_merged_face", "lemma_5.end_face_height"),
+        (
+            "merged_faces.every_merged_face",
+            "merged_faces.height_of_merged_faces",
+            "lemma_5.end_face_height",
+        ),
         "end-face",
     ),
     Erratum(
