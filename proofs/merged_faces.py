@@ -218,7 +218,7 @@ def height_of_merged_faces() -> str:
       from e.
       If neither c_2 nor c_3 is projected: a b c_2 likewise; c_2 c_3 is axis-parallel, b at least w'
       or 1 from it.
-    - Rectangles: sides of at least 1 - 2 tau at angles of at most 90 +- 2 arctan(2 tau).
+    - Rectangles: as `outside_blocks.faces_without_boundary`: (1 - 2 tau)/2.
     """
     tau = _any_tau()
     m = symbols("m")
@@ -226,11 +226,7 @@ def height_of_merged_faces() -> str:
     for name, height in {**_heights_at_a_row(tau), **_heights_left_out(tau)}.items():
         _demand_half(name, height / tau)
     demand_equal(bounds.merged_height_squared(tau), tau**2 / 4, "merged_height_squared()")
-    # cos and sin of 90 +- 2 arctan(2 tau), squared: the third side is below 7/4 of the longer one.
-    tangent = (4 * TAU) / (1 - 4 * TAU * TAU)
-    cosine = tangent**2 / (1 + tangent**2)
-    demand(bool(1 - cosine >= mpq(7, 8) ** 2 and 4 * cosine <= (mpq(49, 16) - 2) ** 2), "rectangle")
-    demand(bool((1 - 2 * TAU) * mpq(7, 8) / mpq(7, 4) >= TAU / 2), "rectangle")
+    demand(bool((1 - 2 * TAU) / 2 >= TAU / 2), "rectangle")
     return "the worst is a, c_1 and its projection: x >= tau/2"
 
 

@@ -94,13 +94,13 @@ def height() -> str:
 
 @CHAPTER.open(
     "Theorems 2 and 3",
-    "Every polygon has such a triangulation without an angle above 150 degrees: the parts inside Q "
-    "and the fans are proved, blocks and merged faces are Lemmas 2 and 5.",
+    "Every polygon has such a triangulation without an angle above 150 degrees: all but the blocks "
+    "is proved (Lemma 7, the fans, `merged_faces`, `outside_blocks.faces_without_boundary`).",
 )
 def largest_angle() -> str:
     """Lemma 7 and the fans: 135 degrees, proved."""
     demand(bool(bounds.TILING_COTANGENT >= bounds.boundary_cotangent()), "Lemma 7")
-    return "rests on Lemma 2's blocks and on Lemma 5's merged faces; checked on every run"
+    return "rests on Lemma 2's blocks; checked on every run"
 
 
 CROSS = ((1, 0), (0, 1), (-1, 0), (0, -1))
