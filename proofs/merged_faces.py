@@ -230,6 +230,26 @@ def height_of_merged_faces() -> str:
     return "the worst is a, c_1 and its projection: x >= tau/2"
 
 
+@CHAPTER.proved(
+    "Lemma 5 (repaired)",
+    "The cuts of a merged face divide its base into pieces of at least tau/sqrt 2.  (`best_cuts` "
+    "may draw others: `lemma-5.base` is checked.)",
+    IDENTITY,
+)
+def pieces_of_the_base() -> str:
+    """They are at least T/sqrt 2 long (`area_of_a_piece`), and T >= tau (`projected_vertices`).
+
+    From a to the projection of c_2, where c_0 c_1 is on a row: T = 1 - w >= `left_out()`, or 1 -
+    tau or more.  If c_2 is left out, T is greater than from c_2 on.  A rectangle's side on e is at
+    least 1 - 2 tau long.
+    """
+    tau = _any_tau()
+    _demand_half("half of T >= tau", left_out(tau) / tau / 2)
+    _demand_half("half of 1 - tau >= tau", (1 - tau) / tau / 2)
+    demand_equal(bounds.base_piece_squared(tau), tau**2 / 2, "base_piece_squared()")
+    return "T/sqrt 2, and T >= tau"
+
+
 def _heights_at_a_row(tau: Expression) -> dict[str, Expression]:
     """c_0 c_1 on a row and c_2 projected; w is least, tau, or greatest."""
     out, two = left_out(tau), sympy.Integer(2)
