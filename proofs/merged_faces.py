@@ -73,9 +73,9 @@ def every_merged_face() -> str:
     demand_equal((2 * tau - tau) / (1 + 2 * tau * tau), y, "tan(arctan 2 tau - arctan tau)")
     demand_equal(left_out(tau), 1 - (1 - y) / (1 + y), "1 - left_out() = (1 - y)/(1 + y)")
     demand(bool(2 * bounds.slope() < 1 - bounds.slope() ** 2), "rectangles: below 135 degrees")
-    common = 5 * (1 - TAU) ** 2  # squared; sqrt(common) + 2 sqrt 8 < 8
-    demand(bool(common < 32), "")
-    demand(bool(4 * 32 * common < (FACTOR**2 - 32 - common) ** 2), "a and b are further apart")
+    common = 5  # squared, for every tau; sqrt(common) + 2 sqrt 8 < 8
+    apart = FACTOR**2 - 32 - common
+    demand(bool(apart > 0 and 4 * 32 * common < apart**2), "a and b are further apart")
     return "at c_2 at most 90 + arctan tau + (45 + arctan 2 tau - arctan tau)"
 
 
