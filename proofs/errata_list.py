@@ -168,7 +168,7 @@ ERRATA: Sequence[Erratum] = (
         "A projection can land next to the end of e; nothing keeps them apart.",
         "The first and the last diagonal may be left out; the fewest diagonals are drawn that "
         "keep both bounds.",
-        ("merged_faces.every_merged_face", "merged_faces.half_of_tau"),
+        ("merged_faces.every_merged_face", "merged_faces.height_of_merged_faces"),
         "end-face",
     ),
     Erratum(

@@ -13,14 +13,12 @@ c_2 is left out and c_(m-1) b is on a column, c_2 is not the last vertex project
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import sympy
 from gmpy2 import mpq
 
 from bern_exact.checkers import bounds
 from bern_exact.checkers.bounds_grid import FACTOR
-from proofs.algebra import demand_equal, demand_nonnegative, symbols
+from proofs.algebra import Expression, demand_equal, demand_nonnegative, demand_positive, symbols
 from proofs.statement import IDENTITY, Chapter, demand
 
 CHAPTER = Chapter()
@@ -75,9 +73,9 @@ def every_merged_face() -> str:
     demand_equal((2 * tau - tau) / (1 + 2 * tau * tau), y, "tan(arctan 2 tau - arctan tau)")
     demand_equal(left_out(tau), 1 - (1 - y) / (1 + y), "1 - left_out() = (1 - y)/(1 + y)")
     demand(bool(2 * bounds.slope() < 1 - bounds.slope() ** 2), "rectangles: below 135 degrees")
-    common = 5 * (1 - TAU) ** 2  # squared; sqrt(common) + 2 sqrt 8 < 8
-    demand(bool(common < 32), "")
-    demand(bool(4 * 32 * common < (FACTOR**2 - 32 - common) ** 2), "a and b are further apart")
+    common = 5  # squared, for every tau; sqrt(common) + 2 sqrt 8 < 8
+    apart = FACTOR**2 - 32 - common
+    demand(bool(apart > 0 and 4 * 32 * common < apart**2), "a and b are further apart")
     return "at c_2 at most 90 + arctan tau + (45 + arctan 2 tau - arctan tau)"
 
 
@@ -85,7 +83,8 @@ def every_merged_face() -> str:
     "Lemma 5 (repaired)",
     "A projected vertex is at least tau/2 beside its projection, and at least 1/2 unless it is an "
     "unmoved grid vertex; along c_0 c_1 on a column, and along every edge from c_1 to c_(m-1), t "
-    "grows by at least tau.",
+    "grows by at least tau, and by 1/2 if the edge is at least 1/sqrt 2 long or not axis-parallel, "
+    "and within P'.",
     IDENTITY,
 )
 def projected_vertices() -> str:
@@ -110,8 +109,8 @@ def projected_vertices() -> str:
     a, c, tau = symbols("a c tau")
     length, depth = tau + a, tau + c
     demand_nonnegative(2 * length * depth - tau * (length + depth), "L D/(L + D) >= tau/2")
-    demand(bool(1 / ROOT_2 / stretch(2 * TAU) >= TAU), "(1 - 2 tau)/sqrt(2 (1 + 4 tau^2)) >= tau")
-    demand(bool(1 - 2 * TAU >= TAU), "1 - 2 tau")
+    demand(bool(1 / ROOT_2 / stretch(2 * TAU) >= mpq(1, 2)), "(1 - 2 tau)/sqrt(2 (1 + 4 tau^2))")
+    demand(bool(1 - 2 * TAU >= mpq(1, 2)), "1 - 2 tau")
     return "x = L D/(L + D); 1/sqrt 2 over sqrt 2"
 
 
@@ -137,123 +136,149 @@ def area_of_a_piece() -> str:
 
 @CHAPTER.proved(
     "Lemma 5 (repaired)",
-    "The triangulations of `every_merged_face` have heights of at least tau/2, if trapezoids are "
-    "split by the better diagonal.",
-    "written proof; exact comparisons",
+    "Let c be a projected vertex, x beside its projection p.  The triangle of c, p and a point of "
+    "e has a height of at least tau/2 if c is an unmoved grid vertex and T >= 1/2, or if x >= 1/2 "
+    "and T >= tau.  That of c, p and a neighbour of c on the staircase has, if x >= 1/2, or if "
+    "both are unmoved and x >= tau.",
+    IDENTITY,
 )
-def half_of_tau() -> str:
-    """By `area_of_a_piece`: twice the area over the longest side.
+def triangles_at_a_projection() -> str:
+    """Twice the area is x T (`area_of_a_piece`).  No side is longer than the other two together.
 
-    - Trapezoids.  By a reflection let c' be above c, c' = c + (g, h), T = g + h, and x and x' to
-      their projections p and p'; x' = x + (h - m g)/(1 + m) for the slope m of e.  (i) x, x' >=
-      1/3: a triangle has sides of at most sqrt 2 x, `stretch` T and their sum; T >= tau.  (ii) Else
-      c and c' are unmoved, g = 0 and h >= 1; or c is unmoved, |g| <= tau h, and c', which is not,
-      1/sqrt 2 from e: T >= 1/5.  (If it were c: x' >= x - tau >= 1/2 - tau > 1/3.) Cut along c p',
-      x' to the right and h - x' up from c', that is x' + g and h - x' from c.  If x' <= h, c p' is
-      at most T: at least T/sqrt 2, x, and x' over the stretch of c c'.  If x' = h + r: c p' is T +
-      r wide and r high, r = x - T m/(1 + m) <= x - T (1 - x/tau), as x (1 + m) is the distance from
-      c down to e.  Over c p' are x T (`beside_a_diagonal`) and x' T, at least T (T/(1 + tau) + r)
-      over sqrt 2 (T + r).
-    - a, c_1 and its projection: T/sqrt 2, x, and x over the stretch of c_0 c_1, which is vertical,
-      or belongs to a moved c_1 (x >= 1/2), or a has merged, at least 1 below an unmoved c_1, and x
-      >= 1/(1/tau + 1 + tau).
-    - c_1 = (0, 0), a = (w, 0), c_2 = (0, 1), projected: w/sqrt 2 in the first triangle; in the
-      second T = 1 - w, x >= w, and |a c_2| < sqrt 2: w (1 - w)/sqrt 2 at least, concave in w. c_2 =
-      (-k, h), 0 <= k < tau, h >= 2: x >= w + k = z, T = h - z and |a c_2| is h by z: at h = 2 it is
-      least, and z (2 - z) is concave. c_2 on another edge: x >= 1/2, h > 7.
-    - c_2 = (0, 1) not projected.  It is more than 1 from all edges but e, by the argument (1) of
-      `lemma_4.row_at_a_block`: t(c_3) >= t(c_2) + 1 - 2 tau, also if c_3 = b is on e, w or more to
-      the right of c_2. c_2 is at least w from the line of e, and the part of e in the piece a f c_3
-      c_2 at least (1 - 2 tau)/sqrt 2 long: a f c_2 is high enough.  If c_3 is above c_2, f c_3 c_2
-      is c' p' c in a trapezoid.  If it is to the right, x >= 1/2 or c_3 is unmoved: take the
-      diagonal a c_3, at most T = t(c_3) - t(a) long, or 2 T if c_3 has moved.  If c_3 is not
-      projected either: c_2 c_3 is axis-parallel, b at least w' or 1 from it.
-    - Rectangles: sides of at least 1 - 2 tau at angles of at most 90 +- 2 arctan(2 tau).
+    At e: the side l on e is at most T, and at least T/sqrt 2.  So the height is at least x T/(sqrt
+    2 x + T), which grows with x and T.  If c is unmoved, it is at least tau/sqrt 2 from the line of
+    e (`lemma_5.end_face_height`), so the height is at least tau/sqrt 2 times l/(l + sqrt 2 x) >=
+    T/(T + 2 x).  That will do if x <= 3 tau/4, and the other bound if x >= 3 tau/4.
+
+    At the staircase: the side there is at most `stretch` T long, the height at least x T/(sqrt 2 x
+    + stretch T).  If T < 1/2, or both are unmoved, T is at least the side's length
+    (`projected_vertices`).
     """
-    third = mpq(1, 3)
-    growth = (1 / ROOT_2 - ROOT_2 * third) / stretch(TAU)
-    demand(bool(growth >= LEAST_GROWTH), "(ii): T >= 1/5")
-    cases = {
-        "(i)": 1 / (ROOT_2 / TAU + stretch(2 * TAU) / third),
-        "(ii), x' <= h": min(LEAST_GROWTH / ROOT_2, TAU / 2, mpq(1, 2) / stretch(TAU)),
-        "(ii), x, T >= 1": 1 / (ROOT_2 / 1 + 1 / third),
-        "(ii), x' > h": LEAST_GROWTH / (1 + TAU) / ROOT_2,
-        "column": min(TAU / ROOT_2, TAU / 2, mpq(1, 2) / stretch(2 * TAU)),
-        "column, merged": 1 / (1 / TAU + 1 + TAU) / stretch(TAU),
-        **_heights_at_a_row(),
-        **_heights_left_out(),
-        "rectangle": (1 - 2 * TAU) * mpq(7, 8) / mpq(7, 4),
-    }
-    for name, height in cases.items():
-        demand(bool(height >= TAU / 2), f"{name}: tau/2")
-    demand(beside_a_diagonal() >= TAU / 2, "(ii), x' > h, over c p'")
-    # cos and sin of 90 +- 2 arctan(2 tau), squared: the third side is below 7/4 of the longer one.
-    tangent = (4 * TAU) / (1 - 4 * TAU * TAU)
-    cosine = tangent**2 / (1 + tangent**2)
-    demand(bool(1 - cosine >= mpq(7, 8) ** 2 and 4 * cosine <= (mpq(49, 16) - 2) ** 2), "rectangle")
-    demand(bounds.merged_height_squared() == TAU**2 / 4, "merged_height_squared()")
-    return "x = tau/2 at c, L and D being tau"
+    tau, half = _any_tau(), sympy.Rational(1, 2)
+    x = 3 * tau / 4
+    _demand_half("unmoved, near e", half / (root_2() * (half + 2 * x)))
+    _demand_half("unmoved, further from e", _least(half, 1, x) / tau)
+    _demand_half("x >= 1/2, T >= tau", _least(tau, 1, half) / tau)
+    _demand_half("x >= 1/2, T >= 1/2", _least(half, stretch(2 * tau), half) / tau)
+    _demand_half("x >= tau, T >= 1", _least(sympy.Integer(1), 1, tau) / tau)
+    return "T/(T + 2 x) tau/sqrt 2 for x <= 3 tau/4, x T/(sqrt 2 x + T) for x >= 3 tau/4"
+
+
+def root_2() -> Expression:
+    """More than sqrt 2, for SymPy."""
+    return sympy.Rational(int(ROOT_2.numerator), int(ROOT_2.denominator))
+
+
+def _any_tau() -> Expression:
+    """Any tau with 0 < tau <= 1/8."""
+    return sympy.Rational(1, 8) / (1 + symbols("rest"))
+
+
+def _least(growth: Expression, stretched: Expression, beside: Expression) -> Expression:
+    """x T/(sqrt 2 x + stretch T)."""
+    return 1 / (root_2() / growth + stretched / beside)
+
+
+def _demand_half(name: str, height: Expression) -> None:
+    """A height over tau must be at least 1/2, for every tau."""
+    numerator, denominator = sympy.fraction(sympy.cancel(height - sympy.Rational(1, 2)))
+    if bool(denominator.subs("rest", 0) < 0):
+        numerator, denominator = -numerator, -denominator
+    demand_positive(denominator, f"{name}: denominator")
+    demand_nonnegative(numerator, f"{name}: tau/2")
 
 
 @CHAPTER.proved(
     "Lemma 5 (repaired)",
-    "Projections cut the base of a merged face into pieces at least tau/sqrt 2 long, whichever are "
-    "chosen.",
-    "written proof",
+    "Triangulations as in `every_merged_face` have heights of at least tau/2, if trapezoids and "
+    "pieces of four sides are split by the right diagonal: `best_cuts` finds none lower.",
+    IDENTITY,
 )
-def base_pieces() -> str:
+def height_of_merged_faces() -> str:
+    """Triangles at a projection are those of `triangles_at_a_projection`; u is an unmoved vertex.
+
+    - Trapezoids.  Neither vertex unmoved: both have x >= 1/2, either diagonal will do.  One is u,
+      the other o: if |u o| < 1/sqrt 2, u is 1/sqrt 2 from e (`near_a_face`, as o is on another
+      edge), and x >= 1/2 again.  Else T >= 1/2: the diagonal from u to the projection of o.  Both
+      unmoved: the side is axis-parallel, T >= 1.  Let it be on a row.  The left one is D >= tau + m
+      T above e, and has x = D/(1 + m) >= tau: the diagonal from the right one to the projection of
+      the left one.
+    - a, c_1 and its projection.  If c_0 c_1 is axis-parallel and c_1 unmoved: `end_face_height`.
+      Else T >= 1/2 or x >= 1/2.
+    - c_1 = (0, 0), a = (w, 0), c_2 = (0, 1), projected: w/sqrt 2 in the first triangle.  The second
+      has altitudes T/sqrt 2 = (1 - w)/sqrt 2, at least w to e, and x T/|a c_2| >= w (1 - w)/sqrt 2,
+      concave in w.  c_2 = (-d, h), 0 <= d < tau, h >= 2; let u = w + d: w h/|a c_2| in the first;
+      T/sqrt 2, at least u to e, and u (h - u)/sqrt(u^2 + h^2), least for h = 2.  c_2 on another
+      edge: x >= 1/2, h > 7.
+    - c_2 = (0, 1) not projected: c_1 a c_2 as before.  c_2 is more than 1 from all edges but e, by
+      the argument (1) of `lemma_4.row_at_a_block`, so c_2 c_3 extends by k >= 1 - tau along its
+      axis.  Diagonal a c_3: a, c_3 and its projection have T >= 1/2; a c_3 c_2 has twice the area
+      k (1 - w tau) or k (w - tau), at least, and no side above sqrt 2 + (1 + tau) k.  If c_3 = b is
+      on e, w or more to the right of c_2, |a b| is at least (1 - 2 tau)/sqrt 2, c_2 at least w
+      from e.
+      If neither c_2 nor c_3 is projected: a b c_2 likewise; c_2 c_3 is axis-parallel, b at least w'
+      or 1 from it.
+    - Rectangles: as `outside_blocks.faces_without_boundary`: (1 - 2 tau)/2.
+    """
+    tau = _any_tau()
+    m = symbols("m")
+    demand_nonnegative((TAU + m) - TAU * (1 + m), "D/(1 + m) >= tau")
+    for name, height in {**_heights_at_a_row(tau), **_heights_left_out(tau)}.items():
+        _demand_half(name, height / tau)
+    demand_equal(bounds.merged_height_squared(tau), tau**2 / 4, "merged_height_squared()")
+    demand(bool((1 - 2 * TAU) / 2 >= TAU / 2), "rectangle")
+    return "the worst is a, c_1 and its projection: x >= tau/2"
+
+
+@CHAPTER.proved(
+    "Lemma 5 (repaired)",
+    "Projections divide the base of a merged face into pieces of at least tau/sqrt 2, whichever "
+    "are chosen.",
+    IDENTITY,
+)
+def pieces_of_the_base() -> str:
     """None is drawn nearer than that to an end of the base (`boundary.project.cuttable`).
 
-    Between neighbouring ones t grows by tau at least (`projected_vertices`): `area_of_a_piece`.
-    Those that are not drawn are left out above, too: of the first projections c_1 on a column is
-    tau/sqrt 2 away, and c_2 at least (t(c_2) - t(a))/sqrt 2, which is less only if c_2 = (0, 1) and
-    w > 1 - tau.  A base without projections is a side of a face, or more.
+    Between neighbouring ones it is T/sqrt 2 at least (`area_of_a_piece`), and T >= tau
+    (`projected_vertices`).  What is not drawn is left out in the cuts above, too: from a to the
+    projection of c_1, c_0 c_1 being on a column, T >= tau; to that of c_2 T = 1 - w, less than
+    tau only if c_2 is left out, or T >= 1 - tau.  A base without projections is longer than a
+    side: at least 1 - 2 tau for a rectangle, else with both ends on different lines, or on a row
+    and the column that meets it in c_1.
     """
-    demand(bool(TAU < left_out() and 1 - TAU > TAU), "left out if w > 1 - tau")
-    demand(bounds.base_piece_squared() == TAU**2 / 2, "base_piece_squared()")
-    return "T/sqrt 2, T >= tau"
+    tau = _any_tau()
+    _demand_half("half of left_out() >= tau", left_out(tau) / tau / 2)
+    _demand_half("half of 1 - tau >= tau", (1 - tau) / tau / 2)
+    demand_equal(bounds.base_piece_squared(tau), tau**2 / 2, "base_piece_squared()")
+    return "T/sqrt 2, and T >= tau"
 
 
-LEAST_GROWTH = mpq(1, 5)
-
-
-def beside_a_diagonal(parts: int = 64) -> mpq:
-    """At least x/sqrt((1 + r/T)^2 + (r/T)^2), tau/2 <= x <= 1/3, T >= 1/5.
-
-    r is at most x and x - T (1 - x/tau).  By intervals of x: the root is at most 1 + r/T +
-    (r/T)^2/(2 (1 + r/T)); it falls with T.
-    """
-    first, last = TAU / 2, mpq(1, 3)
-    ends = [first + (last - first) * i / parts for i in range(parts + 1)]
-    least = []
-    for low, high in pairwise(ends):
-        ratio = high / LEAST_GROWTH - max(mpq(0), 1 - high / TAU)
-        ratio = max(mpq(0), ratio)
-        least.append(low / (1 + ratio + ratio * ratio / (2 * (1 + ratio))))
-    return min(least)
-
-
-def _heights_at_a_row() -> dict[str, mpq]:
-    """c_0 c_1 on a row and c_2 projected."""
-    most = 1 - left_out()
-    second = min(TAU * (1 - TAU), most * (1 - most)) / ROOT_2
-    z = 1 + TAU  # |a c_2| <= 2 + z^2/4
-    higher = min(TAU * (2 - TAU), z * (2 - z)) / (2 + z * z / 4)
+def _heights_at_a_row(tau: Expression) -> dict[str, Expression]:
+    """c_0 c_1 on a row and c_2 projected; w is least, tau, or greatest."""
+    out, two = left_out(tau), sympy.Integer(2)
+    p = 1 + tau  # more than u; |a c_2|^2 = u^2 + h^2 < (h + u^2/(2 h))^2
     return {
-        "row": min(TAU / ROOT_2, second, left_out() / ROOT_2),
-        "row, c_2 higher": min(higher, TAU / (1 + z * z / 8), (1 - TAU) / ROOT_2),
-        "row, c_2 on an edge": mpq(1, 2) * mpq(7 - 1, 7 + 1),
+        "first": tau / root_2(),
+        "T/sqrt 2": out / root_2(),
+        "second, w = tau": tau * (1 - tau) / root_2(),
+        "second, w greatest": out * (1 - out) / root_2(),
+        "first, c_2 higher": tau / (1 + p**2 / 8),
+        "T/sqrt 2, c_2 higher": (1 - tau) / root_2(),
+        "second, c_2 higher, u = tau": tau * (2 - tau) / (two + p**2 / 4),
+        "second, c_2 higher, u = 1 + tau": p * (2 - p) / (two + p**2 / 4),
+        "first, c_2 on an edge": tau * 7 / (two * 4),
+        "second, c_2 on an edge": (7 - 1) / (two * (7 + 1)),
     }
 
 
-def _heights_left_out() -> dict[str, mpq]:
+def _heights_left_out(tau: Expression) -> dict[str, Expression]:
     """c_0 c_1 on a row and c_2 not projected."""
-    w, growth = 1 - left_out(), 1 - 2 * TAU
-    demand(bool(w >= growth), "c_3 = b")
-    part = growth / ROOT_2
+    w, k = 1 - left_out(tau), 1 - tau
+    part = (1 - 2 * tau) / root_2()
     return {
-        "left out": min(w, part * w / ROOT_2, part * w / (part + ROOT_2)),
-        "left out, a c_3": min(TAU / 2, mpq(1, 2) / 2, growth / ROOT_2),
-        "left out, a c_3 c_2": growth / (growth + 2 * ROOT_2),
-        "both left out": w / (1 + ROOT_2),
+        "w": w / root_2(),
+        "a c_3 c_2": k * (w - tau) / (root_2() + (1 + tau) * k),
+        "c_3 = b": part * w / (part + root_2()),
+        "c_3 = b, |a c_2|": part * w / root_2(),
+        "both left out": w / (1 + root_2()),
     }

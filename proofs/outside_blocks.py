@@ -206,3 +206,29 @@ def sides_by_moving() -> str:
     demand(bool(common < 4 and 2 * (8 + common) < FACTOR**2), "sqrt 2 (1 + tau) + 2 sqrt 2 < 8")
     demand(bool(tau * (1 + 4 * tau) < 1), "f rises by less than 1")
     return "row y' would have one more grid vertex, in the block of an end of e"
+
+
+@CHAPTER.proved(
+    "Lemma 2, faces",
+    "A face outside blocks that has no side on P' after warping has vanished or has four sides of "
+    "at least 1 - 2 tau and angles of 90 degrees +- 2 arctan(2 tau): its triangles have angles "
+    "below 135 degrees, and heights of at least (1 - 2 tau)/2 > tau/sqrt 2.",
+    "exact comparisons",
+)
+def faces_without_boundary() -> str:
+    """A piece of e that vanished, and not the face, was between a row below and a column on the
+
+    right (`faces_after_warping`), which now meet at a q-vertex, less than tau from their crossing.
+    The other corners are or were grid vertices: four sides, between ends that are less than tau
+    from grid vertices 1 or more apart.  Of two sides p <= q at an angle A the triangle has twice
+    the area p q sin A, and the third side is at most q sqrt(2 + 2 |cos A|).
+    """
+    tangent = 2 * bounds.slope() / (1 - bounds.slope() ** 2)  # of 2 arctan(2 tau)
+    demand(bool(0 < tangent < 1), "below 135 degrees")
+    cosine = tangent**2 / (1 + tangent**2)  # squared, and so is the sine below
+    third = mpq(7, 4)
+    demand(bool(4 * cosine <= (third**2 - 2) ** 2), "the third side is at most 7/4 q")
+    demand(bool(1 - cosine >= mpq(7, 8) ** 2), "the sine is at least 7/8")
+    half = (1 - 2 * bounds.TAU) * mpq(7, 8) / third
+    demand(bool(half**2 >= bounds.boundary_height_squared()), "tau/sqrt 2")
+    return "7/8 over 7/4"

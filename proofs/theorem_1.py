@@ -50,7 +50,7 @@ def near_the_boundary() -> str:
 
 @CHAPTER.proved(
     "Theorem 1",
-    "At most 4850 n triangles (3674 n with 2 x 2 blocks), if each face is triangulated by its own "
+    "At most 4850 n triangles (3674 n with 2 x 2 blocks), each face being triangulated by its own "
     "vertices.",
     IDENTITY,
 )

@@ -34,7 +34,7 @@ def boundary_and_fans() -> str:
 
 @CHAPTER.proved(
     "Theorem 2",
-    "At most 5148 n log2 n + 51298 n triangles, if every face along the boundary is triangulated.",
+    "At most 5148 n log2 n + 51298 n triangles.",
     CERTIFICATE,
 )
 def theorem_2_count() -> str:
@@ -60,7 +60,7 @@ def theorem_2_count() -> str:
 
 @CHAPTER.proved(
     "Theorem 3",
-    "At most 100530 n^1.5 + 9701 n triangles, if every face along the boundary is triangulated.",
+    "At most 100530 n^1.5 + 9701 n triangles.",
     CERTIFICATE,
 )
 def theorem_3_count() -> str:
@@ -80,12 +80,12 @@ def theorem_3_count() -> str:
     CERTIFICATE,
 )
 def height() -> str:
-    """The least part is tau/2, of merged faces (`merged_faces.half_of_tau`).
+    """The least part is tau/2, of merged faces (`merged_faces.height_of_merged_faces`).
 
     Fans stand on sides of block faces, at least tau, and on pieces between projections, at least
-    tau/sqrt 2 (`merged_faces.base_pieces`): they have at least tau/2.  Blocks have tau/sqrt 2.
-    Rectangles that a moved corner alone joins to the boundary have sides of at least 1 - 2 tau at
-    angles of 90 +- 2 arctan(2 tau): `face_heights.faces_with_one_cut`.
+    tau/sqrt 2 (`merged_faces.pieces_of_the_base`): they have at least tau/2.  Blocks have tau/sqrt
+    2.  Rectangles that a moved corner alone joins to the boundary:
+    `outside_blocks.faces_without_boundary`.
     """
     part = bounds.merged_height_squared()
     demand(bool(part <= bounds.boundary_height_squared()), "blocks")
@@ -109,7 +109,7 @@ def largest_angle() -> str:
     """Lemma 7 inside Q: 135.  The fans: 135 (Lemma 1).  Blocks: 135 (`lemma_2.statements`).
 
     Merged faces: `merged_faces.every_merged_face`.  Rectangles that a moved corner alone joins to
-    the boundary: 90 + 2 arctan(2 tau), any diagonal.
+    the boundary: `outside_blocks.faces_without_boundary`.
     """
     demand(bool(bounds.TILING_COTANGENT >= bounds.boundary_cotangent()), "Lemma 7")
     demand(bool(bounds.BLOCK_COTANGENT >= bounds.boundary_cotangent()), "blocks")
