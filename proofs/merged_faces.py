@@ -148,15 +148,15 @@ def half_of_tau() -> str:
       their projections p and p'; x' = x + (h - m g)/(1 + m) for the slope m of e.  (i) x, x' >=
       1/3: a triangle has sides of at most sqrt 2 x, `stretch` T and their sum; T >= tau.  (ii) Else
       c and c' are unmoved, g = 0 and h >= 1; or c is unmoved, |g| <= tau h, and c', which is not,
-      1/sqrt 2 from e: T >= 1/5.  (If it were c: x' >= x - tau >= 1/2 - tau > 1/3.) Cut along c p',
-      x' to the right and h - x' up from c', that is x' + g and h - x' from c.  If x' <= h, c p' is
+      1/sqrt 2 from e: T >= 1/5.  (If it were c: x' >= x - tau >= 1/2 - tau > 1/3.) Cut along c p';
+      p' is x' + g to the right of c and h - x' above it.  If x' <= h, c p' is
       at most T: at least T/sqrt 2, x, and x' over the stretch of c c'.  If x' = h + r: c p' is T +
       r wide and r high, r = x - T m/(1 + m) <= x - T (1 - x/tau), as x (1 + m) is the distance from
       c down to e.  Over c p' are x T (`beside_a_diagonal`) and x' T, at least T (T/(1 + tau) + r)
       over sqrt 2 (T + r).
     - a, c_1 and its projection: T/sqrt 2, x, and x over the stretch of c_0 c_1, which is vertical,
-      or belongs to a moved c_1 (x >= 1/2), or a has merged, at least 1 below an unmoved c_1, and x
-      >= 1/(1/tau + 1 + tau).
+      or belongs to a moved c_1 (x >= 1/2), or a has merged, D' >= 1 below an unmoved c_1 and less
+      than tau beside it, and x = L D/(L + D) >= 1/(1/tau + 2), as L >= tau, 1/D <= (1 + tau/L)/D'.
     - c_1 = (0, 0), a = (w, 0), c_2 = (0, 1), projected: w/sqrt 2 in the first triangle; in the
       second T = 1 - w, x >= w, and |a c_2| < sqrt 2: w (1 - w)/sqrt 2 at least, concave in w. c_2 =
       (-k, h), 0 <= k < tau, h >= 2: x >= w + k = z, T = h - z and |a c_2| is h by z: at h = 2 it is
@@ -166,7 +166,8 @@ def half_of_tau() -> str:
       the right of c_2. c_2 is at least w from the line of e, and the part of e in the piece a f c_3
       c_2 at least (1 - 2 tau)/sqrt 2 long: a f c_2 is high enough.  If c_3 is above c_2, f c_3 c_2
       is c' p' c in a trapezoid.  If it is to the right, x >= 1/2 or c_3 is unmoved: take the
-      diagonal a c_3, at most T = t(c_3) - t(a) long, or 2 T if c_3 has moved.  If c_3 is not
+      diagonal a c_3, at most T = t(c_3) - t(a) long, or 2 T if c_3 has moved.  (a c_3 c_2: if c_3
+      is K >= 1 - tau to the right, at least K - tau over K + tau + sqrt 2.)  If c_3 is not
       projected either: c_2 c_3 is axis-parallel, b at least w' or 1 from it.
     - Rectangles: sides of at least 1 - 2 tau at angles of at most 90 +- 2 arctan(2 tau).
     """
@@ -176,10 +177,9 @@ def half_of_tau() -> str:
     cases = {
         "(i)": 1 / (ROOT_2 / TAU + stretch(2 * TAU) / third),
         "(ii), x' <= h": min(LEAST_GROWTH / ROOT_2, TAU / 2, mpq(1, 2) / stretch(TAU)),
-        "(ii), x, T >= 1": 1 / (ROOT_2 / 1 + 1 / third),
         "(ii), x' > h": LEAST_GROWTH / (1 + TAU) / ROOT_2,
         "column": min(TAU / ROOT_2, TAU / 2, mpq(1, 2) / stretch(2 * TAU)),
-        "column, merged": 1 / (1 / TAU + 1 + TAU) / stretch(TAU),
+        "column, merged": 1 / (1 / TAU + 2) / stretch(TAU),
         **_heights_at_a_row(),
         **_heights_left_out(),
         "rectangle": (1 - 2 * TAU) * mpq(7, 8) / mpq(7, 4),
@@ -254,6 +254,6 @@ def _heights_left_out() -> dict[str, mpq]:
     return {
         "left out": min(w, part * w / ROOT_2, part * w / (part + ROOT_2)),
         "left out, a c_3": min(TAU / 2, mpq(1, 2) / 2, growth / ROOT_2),
-        "left out, a c_3 c_2": growth / (growth + 2 * ROOT_2),
+        "left out, a c_3 c_2": growth / (1 + ROOT_2),  # K = 1 - tau
         "both left out": w / (1 + ROOT_2),
     }
