@@ -1,6 +1,7 @@
 """Lemma 2, heights: faces outside blocks triangulated by their own vertices, as in Theorem 1.
 
-Notation is that of `outside_blocks`; tau = 1/8.  A face with one corner cut off has, after warping,
+Notation is that of `outside_blocks`; tau <= 1/8.  (The numbers are for 1/8; over tau, all of the
+heights fall as tau grows.)  A face with one corner cut off has, after warping,
 the side from q to q' on e; u and v are its extents along the axes.  Its other corners are A
 (upper left), B (lower left, if q is on a row) and C (upper right, if q' is on a column).
 """
@@ -133,8 +134,8 @@ def extents_of_two_cuts() -> str:
 
     v0 < tau: q' has the corner as its anchor, which moves onto it.  q' stays, as C is too far
     away to merge.  If q has another anchor, u > 1.  Else it merges with q', and no side is left, or
-    with B on e: B was at least 1 from the column, and as m < 1 less than tau from e along its own;
-    or q stays, less than tau from it: u > 1 - tau.
+    with B on e: B was at least 1 from the corner's column, and has moved down, or to the right by
+    less than tau: u > 1 - tau.
     """
     r = TAU / 7
     demand(bool(8 - TAU > 7), "the row is more than 7 long")

@@ -13,8 +13,6 @@ c_2 is left out and c_(m-1) b is on a column, c_2 is not the last vertex project
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import sympy
 from gmpy2 import mpq
 
@@ -142,7 +140,9 @@ def area_of_a_piece() -> str:
     "written proof; exact comparisons",
 )
 def half_of_tau() -> str:
-    """By `area_of_a_piece`: twice the area over the longest side.
+    """By `area_of_a_piece`: twice the area over the longest side.  (The numbers are for tau = 1/8;
+
+    over tau, all of the heights fall as tau grows.)
 
     - Trapezoids.  By a reflection let c' be above c, c' = c + (g, h), T = g + h, and x and x' to
       their projections p and p'; x' = x + (h - m g)/(1 + m) for the slope m of e.  (i) x, x' >=
@@ -217,20 +217,15 @@ def base_pieces() -> str:
 LEAST_GROWTH = mpq(1, 5)
 
 
-def beside_a_diagonal(parts: int = 64) -> mpq:
-    """At least x/sqrt((1 + r/T)^2 + (r/T)^2), tau/2 <= x <= 1/3, T >= 1/5.
+def beside_a_diagonal(tau: mpq = TAU) -> mpq:
+    """At least x/sqrt((1 + k)^2 + k^2), k = r/T, for x from tau/2 to 1/3 and T >= 1/5.
 
-    r is at most x and x - T (1 - x/tau).  By intervals of x: the root is at most 1 + r/T +
-    (r/T)^2/(2 (1 + r/T)); it falls with T.
+    k <= 5 x, and k <= 5 x - (1 - x/tau).  x >= tau: with k = 5 x it grows with x.  x <= tau: 1 + k
+    is at most (1 + 5 tau) x/tau, and k over it at most what it is for k = 5 tau. (Or k = 0.)
     """
-    first, last = TAU / 2, mpq(1, 3)
-    ends = [first + (last - first) * i / parts for i in range(parts + 1)]
-    least = []
-    for low, high in pairwise(ends):
-        ratio = high / LEAST_GROWTH - max(mpq(0), 1 - high / TAU)
-        ratio = max(mpq(0), ratio)
-        least.append(low / (1 + ratio + ratio * ratio / (2 * (1 + ratio))))
-    return min(least)
+    most = tau / LEAST_GROWTH
+    root = 1 + most + most * most / (2 * (1 + most))  # at least
+    return min(tau / 2, tau / root)
 
 
 def _heights_at_a_row() -> dict[str, mpq]:

@@ -250,7 +250,7 @@ def wrong_ends(mesh: MergedMesh) -> Iterator[object]:
 def wrong_cuts(mesh: MergedMesh) -> Iterator[object]:
     """`end_faces_have_four_sides`, `projected_vertices` and the cutting of `merged_faces`."""
     polygon = mesh.warped.traced.diced.framed.polygon
-    within = Demand(largest_kappa(TAU), TAU**2 / 9)
+    within = Demand(largest_kappa(TAU), TAU**2 / 4)
     for item in mesh.projected:
         stairs = Stairs(mesh, item.merged)
         points = [mesh.point_of(node) for node in stairs.nodes]
