@@ -74,8 +74,8 @@ an interval of tau is said in `replay`).  Steps 1 to 7 hold for every tau <= 1/8
 is 1/8 at most.  Where no corner kept heights and sides too, the package would take such a corner.
 
 **What is not claimed.**  All is for blocks of 3 x 3 squares.  Below `thresholds.LEAST` nothing is
-claimed, and of heights and sides nothing below 1/8: if no corner kept them, the checkers would
-report the block.
+claimed, and below 1/8 nothing of heights, of sides, and of how many q-vertices choose one grid
+vertex: what the package asserts of them the checkers would report.
 """
 
 from collections.abc import Iterator
