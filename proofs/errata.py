@@ -9,6 +9,7 @@ from pathlib import Path
 
 from proofs.drawings import DRAWINGS, svg
 from proofs.errata_list import ERRATA, REMARKS, Erratum
+from proofs.lemma_2.thresholds import LEAST
 from proofs.statement import Entry
 from proofs.table import table
 
@@ -60,7 +61,8 @@ def _section(number: int, erratum: Erratum) -> Iterator[str]:
         yield f"- *{entry.status}* (`proofs/{_place(name)}`): {entry.text}"
     if not erratum.repaired:
         yield (
-            "- Lemma 2's blocks, *proved* for tau = 1/8 (`proofs/lemma_2/`, by `--full`); "
+            "- Lemma 2's blocks, *proved* for tau = 1/8, and their angles for tau from "
+            f"{LEAST} on (`proofs/lemma_2/`, by `--full`); "
             "checked on every run (`lemma-2.block-*`)."
         )
     yield ""

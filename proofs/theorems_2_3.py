@@ -7,9 +7,13 @@ from gmpy2 import mpq
 
 from bern_exact.checkers import bounds, bounds_grid
 from bern_exact.corpus.paper import spanning_tree_length
+from bern_exact.exact.angle_bound import parse_angle_bound
 from bern_exact.exact.enclosures import sqrt_enclosure
+from bern_exact.theorems.threshold import largest_angle_for, threshold_for
 from proofs.algebra import demand_equal
+from proofs.lemma_2.thresholds import LEAST
 from proofs.powers import log_bounds, rounded, shown
+from proofs.section_2 import degrees_of_arctan
 from proofs.statement import CERTIFICATE, IDENTITY, Chapter, demand
 
 CHAPTER = Chapter()
@@ -118,6 +122,31 @@ def largest_angle() -> str:
     worst = bounds.boundary_cotangent()
     demand(bool(worst < 0 and worst * worst < 3), "below 150 degrees")
     return f"least cotangent {worst}; 150 degrees has -1.732..."
+
+
+@CHAPTER.proved(
+    "Theorems 2 and 3, --max-angle",
+    f"No angle is above A, for every A from 135 degrees + arctan({2 * LEAST}) to 150 degrees (in "
+    "blocks by the certificates of `lemma_2.thresholds`, which `--full` replays).",
+    CERTIFICATE,
+)
+def any_bound() -> str:
+    """tau is the largest p/q <= 1/8, q <= 1000, with 135 degrees + arctan(2 tau) <= A.
+
+    The least tau of the certificates is such a fraction: for these A, and for no smaller ones, tau
+    is at least that.  The parts are those of `largest_angle`, each for every tau <= 1/8: 135 inside
+    Q, in fans and in blocks; merged faces and rectangles by written proofs with tau as a symbol.
+    What these and `outside_blocks` and `lemma_4` compare at tau = 1/8 alone holds all the more
+    below, but for one comparison of `merged_faces.every_merged_face`, whose worst is tau = 0.
+    """
+    angle = largest_angle_for(LEAST)
+    bound = parse_angle_bound(f"cos:-1:{angle.cos_squared}")
+    demand(threshold_for(bound) == LEAST, "the least tau is taken, just where it may be")
+    common = 5  # squared: 5 (1 - tau)^2 at tau = 0
+    demand(4 * 32 * common < (bounds_grid.FACTOR**2 - 32 - common) ** 2, "`every_merged_face`")
+    low, high = degrees_of_arctan(2 * LEAST)
+    demand(bool(135 + high < 150 and bounds.boundary_cotangent(LEAST) < -1), "a range")
+    return f"tau from {LEAST} to 1/8: A from {shown((135 + low, 135 + high), 8)} degrees"
 
 
 CROSS = ((1, 0), (0, 1), (-1, 0), (0, -1))

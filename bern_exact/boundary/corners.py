@@ -4,7 +4,9 @@ The paper takes the closest corner; block faces can then have angles up to
 142.125 degrees.  Here the corners are tried in order of distance, and the first is
 taken for which every face of the block can be triangulated with all angles
 at most 135 degrees, edges of at least tau and heights of at least tau / sqrt 2.
-For tau = 1/8 there always is one: `proofs/lemma_2` has the certificate.
+For tau = 1/8 there always is one: `proofs/lemma_2` has the certificate.  Should
+there be none for a smaller tau, the first that gives 135 degrees is taken, whatever
+its edges and heights: down to the least tau of `proofs.lemma_2.thresholds` there is one.
 
 A block round the nearest corner has its other corners on its rim, where faces of
 no block would be warped with them: there the nearest corner moves, heights of
@@ -38,11 +40,12 @@ CELL_OFFSET = {EAST: (-1, 0), NORTH: (-1, -1), WEST: (0, -1), SOUTH: (0, 0)}
 def block_demands(shape: BlockShape, tau: mpq) -> tuple[Demand, ...]:
     """What the triangles of a block face must keep, in order of preference.
 
-    Square blocks: 135 degrees and a height of tau/sqrt 2, by the choice of corner.  Corner blocks
-    have no such choice: a height of tau/2, with 135 degrees or 135 degrees + arctan(2 tau).
+    Square blocks: 135 degrees and a height of tau/sqrt 2, by the choice of corner; or, if no
+    corner has both, 135 degrees.  Corner blocks have no such choice: a height of tau/2, with
+    135 degrees or 135 degrees + arctan(2 tau).  Edges of at least tau go with every height.
     """
     if shape == "square":
-        return (Demand(KAPPA_135, tau * tau / 2),)
+        return Demand(KAPPA_135, tau * tau / 2), Demand(KAPPA_135)
     return Demand(KAPPA_135, tau * tau / 4), Demand(largest_kappa(tau), tau * tau / 4)
 
 
@@ -84,8 +87,9 @@ class CornerRule:
     def choose(self, v: int) -> tuple[Substep1, int]:
         """The corner for vertex v and how often one was refused, as in `Warped.rank`.
 
-        If no corner will do (impossible for square blocks and tau = 1/8, and never seen
-        otherwise), the closest is taken, and the checkers of Lemma 2 report the block.
+        Every corner is tried with a demand before any is with the next.  If no corner keeps the
+        first (impossible for square blocks and tau = 1/8, and never seen otherwise), the
+        checkers of Lemma 2 report the block; if none keeps any, the closest is taken.
         """
         candidates = self._candidates(v)
         tries = [(demand, candidate) for demand in self.demands for candidate in candidates]
@@ -116,9 +120,12 @@ class CornerRule:
         )
 
     def _is_good(self, v: int, candidate: Substep1, demand: Demand) -> bool:
-        """Does every face of the block keep its bounds with this corner?"""
+        """Does every face of the block keep a demand with this corner?
+
+        A demand without a height asks for no length of edges either.
+        """
         for points in self._block_faces_with(v, candidate):
-            if self._has_short_edge(points):
+            if demand.squared_floor and self._has_short_edge(points):
                 return False
             if best_triangulation(points, demand) is None:
                 return False

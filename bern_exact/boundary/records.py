@@ -235,9 +235,10 @@ class Warped:
     corners : tuple of GridNode
         For each vertex of P' the corner of its square that moves to it (substep 1).
     rank : tuple of int
-        For each vertex, how often a corner was refused (0: the closest was taken; of square
-        blocks 4: all were refused, and the closest taken all the same; of corner blocks 1: the
-        closest was taken without 135 degrees, 2: it was taken all the same).
+        For each vertex, how often a corner was refused (0: the closest was taken). Of square
+        blocks, 4 to 7: all four were, and one is taken for 135 degrees alone, for which `rank`
+        - 4 closer ones were refused again; 8: the closest was taken all the same. Of corner
+        blocks, 1: the closest was taken without 135 degrees; 2: it was taken all the same.
     moved : mapping GridNode -> Node
         Interior grid vertices that move, each with the P' vertex (substep 1) or the
         crossing (substep 2, before fates) that it moves to.

@@ -68,11 +68,27 @@ Diagonals of faces are not asked about: as sides of triangles they are longer th
 A third certificate shows how bad the closest corner can be.  Faces whose vertices are all grid
 vertices are left out: squares of side 1, or halves.
 
-**What is not claimed.**  All is for tau = 1/8 and blocks of 3 x 3 squares.  For a smaller tau
-(`--max-angle`) that some corner keeps the same demand is open; where none did the package would
-take the closest, and the checkers would report the block.
+**Smaller thresholds** (`--max-angle`).  For all tau from `thresholds.LEAST` to 1/8 at once some
+corner leaves faces with triangulations within 135 degrees (`thresholds`; why a leaf can be good for
+an interval of tau is said in `replay`).  Steps 1 to 7 hold for every tau <= 1/8: what they compare
+is 1/8 at most.  Where no corner kept heights and sides too, the package would take such a corner.
+
+**What is not claimed.**  All is for blocks of 3 x 3 squares.  Below `thresholds.LEAST` nothing is
+claimed, and below 1/8 nothing of heights, of sides, and of how many q-vertices choose one grid
+vertex: what the package asserts of them the checkers would report.
 """
 
-from proofs.lemma_2.statements import CHAPTER, statements
+from collections.abc import Iterator
+
+from proofs.lemma_2.statements import CHAPTER
+from proofs.lemma_2.statements import statements as _for_an_eighth
+from proofs.lemma_2.thresholds import statements as _below_an_eighth
+from proofs.statement import Statement
 
 __all__ = ["CHAPTER", "statements"]
+
+
+def statements(full: bool = False) -> Iterator[Statement]:
+    """The chapter, the certificates for tau = 1/8, and those for smaller thresholds."""
+    yield from _for_an_eighth(full)
+    yield from _below_an_eighth(full)

@@ -36,12 +36,31 @@ class Bounds(NamedTuple):
         k <= 256 and j <= 10: every height is above k / 2^j, or at least tau/sqrt 2 by `sections`.
     edges : bool
         Is every side of a face at least tau long?
+    slab : int, optional
+        The claim is for every threshold from tau to tau + slab at once; then only of angles, as
+        heights and sides would be measured with one of them.
     """
 
     kappa: tuple[int, int]
     tau: int
     height: tuple[int, int] = (0, 0)
     edges: bool = False
+    slab: int = 0
+
+    @property
+    def tau_high(self) -> int:
+        """The greatest threshold."""
+        return self.tau + self.slab
+
+    def part(self, part: int) -> tuple[int, int]:
+        """Where a part of the unit segment from 0 to 1 begins and ends.
+
+        For a slab: its union over all thresholds, so that a point that is in this part for one of
+        them is between these ends.
+        """
+        if part == LOW:
+            return 0, self.tau_high
+        return (ONE - self.tau_high, ONE) if part == HIGH else (self.tau, ONE - self.tau)
 
 
 def unturned(quarters: int, p: Place) -> Place:
@@ -114,9 +133,8 @@ class Boxes:
 
         Below row 1 it is also above v.
         """
-        tau, v = self.bounds.tau, self._own[ray]
-        low = level * ONE + (0 if part == LOW else tau if part != HIGH else ONE - tau)
-        high = level * ONE + (tau if part == LOW else ONE - tau if part != HIGH else ONE)
+        v = self._own[ray]
+        low, high = (level * ONE + end for end in self.bounds.part(part))
         lowest = low if level else np.clip(v.y.c - v.y.radius(), low, high)
         symbol = 4 + 2 * ray + level
         rise = integer(column) - v.x

@@ -4,6 +4,25 @@ For each leaf the types are found that its rays can have.  For each pair of type
 program says which faces each corner leaves.  A leaf is good if for every possible pair there
 is a corner such that for every answer to the open questions every face has a triangulation
 that keeps the bound over the whole box.  Integers only.
+
+**Slabs.**  A claim may be for all thresholds tau of an interval at once.  A type, what the block
+program makes of it, and where its points are do not depend on tau; only which types a ray has
+does.  So a leaf is good for the whole slab if it is good for every type that a ray has for some
+tau of it.  Each test of a type is weakened to what holds for some tau:
+
+- the sections of rows, and the parts of gaps in which columns are crossed, become their unions
+  over the slab, closed (`points.Bounds.part`): `Rays._in_section`, `Boxes._on_column`;
+- a column is crossed below the upper end of its part, and above the lower end: both are tested
+  at the outer ends of the unions (`Rays._in_part`).  As a ray's X is monotone in the height, it
+  is beyond the column at the outer upper end if it is at the inner one; likewise below;
+- which combinations of parts are types at all (`rays.ray_types`: a column crossed within tau of
+  a grid vertex has its row crossed within tau, and so on; `block._on_segments`: the order of two
+  crossings of one segment) is argued for each tau < 1/2 by itself, |m| <= 1 being all that is
+  used.  The types are the same set for each, and so for the union.
+
+That both rays, and all crossings of one, have the same tau is not used: more pairs of types are
+asked about than occur.  Nothing else of a claim about angles depends on tau; `sections` and the
+lengths of sides do, and are refused with a slab.
 """
 
 from __future__ import annotations
@@ -75,7 +94,7 @@ class Rays:
     """
 
     def __init__(self, boxes: Boxes) -> None:
-        self.tau = boxes.bounds.tau
+        self.bounds = boxes.bounds
         self._slopes = (boxes.low[2:], boxes.high[2:])
         (x, y), (u, v) = boxes.low[:2], boxes.high[:2]
         turned = (
@@ -119,8 +138,7 @@ class Rays:
     def _in_section(self, ray: int, row: int, cell: int, part: int) -> Array:
         """Can X be in a part of a cell of this row?"""
         least, greatest = self.range(ray, row * ONE)
-        steps = (0, self.tau, ONE - self.tau, ONE)
-        low, high = ((cell * ONE + steps[part + i]) * ONE for i in (0, 1))
+        low, high = ((cell * ONE + end) * ONE for end in self.bounds.part(part))
         above = greatest > low if part == LOW else greatest >= low
         below = least < high if part == HIGH else least <= high
         if part == MIDDLE and cell == 2:
@@ -136,14 +154,13 @@ class Rays:
         """
         may: Array = True
         at = column * ONE * ONE
+        lowest, highest = (level * ONE + end for end in self.bounds.part(part))
         if part != HIGH:
-            height = level * ONE + (self.tau if part == LOW else ONE - self.tau)
-            may = may & (self._own[ray][2] < height)
-            least, greatest = self.range(ray, height)
+            may = may & (self._own[ray][2] < highest)
+            least, greatest = self.range(ray, highest)
             may = may & (greatest >= at if rightwards else least <= at)
         if part != LOW:
-            height = level * ONE + (self.tau if part == MIDDLE else ONE - self.tau)
-            least, greatest = self.range(ray, height)
+            least, greatest = self.range(ray, lowest)
             may = may & (least <= at if rightwards else greatest >= at)
         return may
 
@@ -193,7 +210,14 @@ def replay(
         Only the closest corner may be taken, as printed; equally close ones must all be good.
     plans : callable
         Which corners may be taken with two types of rays, and what becomes of the block.
+
+    Raises
+    ------
+    ValueError
+        If more than angles is claimed of a slab of thresholds.
     """
+    if bounds.slab and (bounds.height[0] or bounds.edges):
+        raise ValueError("heights and sides are claimed for one threshold")
     left_out = is_left_out(low, high, cls)
     wanted = np.nonzero(~left_out)[0]
     failed: list[int] = []

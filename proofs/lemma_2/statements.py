@@ -193,7 +193,7 @@ def shipped_rule() -> str:
     alone.  A side of a triangle is at least as long as its least altitude: diagonals, too, are at
     least tau/sqrt 2.
     """
-    (asked,) = block_demands("square", bounds.TAU)
+    asked, _ = block_demands("square", bounds.TAU)  # the second is never needed, so
     k, j = HEIGHT
     demand(asked.kappa == 1 and bounds.BLOCK_COTANGENT == -1, "135 degrees")
     demand(asked.squared_floor == bounds.boundary_height_squared() == bounds.TAU**2 / 2, "height")
@@ -241,17 +241,3 @@ def diagonals() -> str:
     """The rule asks for sides; of the corner it takes no more is known of diagonals."""
     demand(bounds.boundary_height_squared() * 2 == bounds.edge_squared(), "tau/sqrt 2")
     return "at least tau/sqrt 2, as sides of triangles of that height; tau checked on every run"
-
-
-@CHAPTER.open(
-    "Lemma 2, blocks (repaired)",
-    "The shipped rule finds a corner for every smaller tau (`--max-angle`), too.",
-)
-def other_thresholds() -> str:
-    """The trees are for tau = 1/8: another tau moves the sections.
-
-    With tau as a fifth side of the boxes the search (in doubles, not replayed) got stuck nowhere
-    for f left and tau in [1/10, 1/8], with 135 degrees alone in 144 thousand leaves; for all that
-    is demanded it needs 1.5 times the leaves for tau in [0.12, 1/8], and far more below.
-    """
-    return "checked on every run (`lemma-2.block-*`), never failed"

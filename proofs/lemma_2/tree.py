@@ -8,7 +8,7 @@ inner node is halved without a remainder, so nothing else about it has to be tru
 from __future__ import annotations
 
 import lzma
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -84,6 +84,51 @@ def leaves(word: bytes, cls: int) -> Leaves:
         raise MalformedTree("the leaves do not fill the box of all parameters")
     deepest = int((np.array(lengths)[:, None] - powers).sum(axis=0).max())
     return Leaves(low, low + (1 << powers), deepest)
+
+
+def sampled(word: bytes, cls: int, numbers: Sequence[int]) -> Leaves:
+    """Some leaves of a tree, by their numbers in preorder, without unfolding the others.
+
+    The word is one tree if the number of subtrees that are still to come, which each inner node
+    raises by 1 and each leaf lowers by 1, is 0 after it and never before.
+
+    Raises
+    ------
+    MalformedTree
+        If it is no tree of these symbols.  Too small boxes off the paths are not noticed.
+    """
+    symbols = np.frombuffer(word, dtype=np.uint8)
+    pending = np.cumsum(np.where(symbols == LEAF, -1, 1), dtype=np.int32) + 1
+    if not len(word) or pending[-1] != 0 or not pending[:-1].all():
+        raise MalformedTree("the word is not one tree")
+    if symbols.min() < LEAF or symbols.max() > LEAF + 4:
+        raise MalformedTree("the word has another byte than 0 to 4")
+    places = np.flatnonzero(symbols == LEAF)[list(numbers)]
+    paths = [_path(symbols, pending, int(place)) for place in places]
+    bottom, lengths = root(cls)
+    low = np.array(bottom)[:, None] + np.zeros((4, len(paths)), dtype=np.int64)
+    size = np.array([1 << length for length in lengths])[:, None] + np.zeros_like(low)
+    for leaf, path in enumerate(paths):
+        for axis, is_upper in path:
+            size[axis, leaf] >>= 1
+            low[axis, leaf] += size[axis, leaf] if is_upper else 0
+    if paths and size.min() < 1 << SMALLEST:
+        raise MalformedTree("a box is too small")
+    return Leaves(low, low + size, max(map(len, paths), default=0))
+
+
+def _path(symbols: Array, pending: Array, place: int) -> list[tuple[int, bool]]:
+    """From the root to the leaf at a place of the word: each axis, and whether the upper half."""
+    path: list[tuple[int, bool]] = []
+    node, end = 0, len(symbols)
+    while node != place:
+        # The lower half ends where one subtree fewer is to come than before it.
+        first = node + 1
+        after = first + int(np.argmax(pending[first:end] == pending[node] - 1)) + 1
+        is_upper = place >= after
+        path.append((int(symbols[node]) - LEAF - 1, is_upper))
+        node, end = (after, end) if is_upper else (first, after)
+    return path
 
 
 LOW_HALF = (1 << 32) - 1

@@ -9,7 +9,12 @@ from gmpy2 import mpq
 
 from bern_exact.boundary.corners import TAU, CornerRule, warp
 from bern_exact.boundary.faces import trace
-from bern_exact.boundary.optimal import HIGHEST_WITHIN_135, Demand, best_triangulation
+from bern_exact.boundary.optimal import (
+    HIGHEST_WITHIN_135,
+    KAPPA_135,
+    Demand,
+    best_triangulation,
+)
 from bern_exact.boundary.warp import Warping
 from bern_exact.corpus.over_the_grid import around, moved_back
 from bern_exact.exact.points import HPoint, grid_point, hpoint
@@ -145,3 +150,17 @@ def test_the_choice_is_a_function_of_the_record() -> None:
     stages = drawn("threshold", 20)
     again, _ = warp(*trace(stages.diced))
     assert again == stages.warped
+
+
+def test_if_no_corner_keeps_heights_the_closest_within_135_degrees_is_taken() -> None:
+    traced, tracer = trace(stages_of(counterexample(HAIRS[1], DELTAS[1])).diced)
+    rule = CornerRule(traced, tracer, TAU)
+    chosen, rank = rule.choose(0)
+    assert 0 < rank < 4  # the closest has larger angles
+    first, second = rule.demands
+    assert first.squared_floor > 0 == second.squared_floor
+    never = Demand(KAPPA_135, mpq(100))
+    rule.demands = (never, second)
+    assert rule.choose(0) == (chosen, 4 + rank)
+    rule.demands = (never, never)
+    assert rule.choose(0)[1] == 8 and rule.choose(0)[0].corner == (0, 1)

@@ -1,13 +1,15 @@
 // Searches the tree of boxes for Lemma 2's block half.  Nothing here is trusted: the tree that it
 // prints is replayed by proofs/lemma_2/replay.py in integers.  See README.md.
 //
-// Usage: search TABLE CLASS KAPPA TAU DEPTH [HEIGHT [edges | nearest]] > tree
+// Usage: search TABLE CLASS KAPPA TAU[,TAU2] DEPTH [HEIGHT [edges | nearest]] > tree
+// With TAU < TAU2 for all thresholds between them at once; then without HEIGHT.
 // The tree in preorder, a byte a node: '0' a leaf, '1' to '4' a split of x, y, m_e or m_f.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -17,7 +19,7 @@ using std::vector;
 
 const int N = 8;  // x, y, m_e, m_f and a symbol for the column (ray, level) where m may be 0
 const double MARGIN = 2e-5;
-double KAPPA, TAU, HEIGHT;
+double KAPPA, TAU, TAU2, HEIGHT;  // thresholds from TAU to TAU2
 int CLASS, DEPTH, NEAREST, EDGES;
 
 struct Form {  // c + sum a_i e_i + r e, each e in [-1, 1]
@@ -129,8 +131,8 @@ struct State {
     if (s.name == 2) return turned(q, {at(ray, Form(s.level)), Form(s.level)});
     XY v = own(ray);
     if (s.name == 3) {
-      double lo = s.part == 0 ? 0 : s.part == 1 ? TAU : 1 - TAU;
-      double hi = s.part == 0 ? TAU : s.part == 1 ? 1 - TAU : 1;
+      double lo = s.part == 0 ? 0 : s.part == 1 ? TAU : 1 - TAU2;
+      double hi = s.part == 0 ? TAU2 : s.part == 1 ? 1 - TAU : 1;
       lo += s.level; hi += s.level;
       if (s.level == 0) lo = std::max(lo, std::min(hi, v.y.c - v.y.rad()));
       return turned(q, {Form(s.column), divided(Form(s.column) - v.x, p[2 + ray], v.y, lo, hi, 4 + 2 * ray + s.level)});
@@ -243,8 +245,8 @@ struct State {
   static double bound(int cell, int part, bool upper) {
     if (cell == 2 && part == 1 && upper) return 9;
     if (cell == -2 && part == 1 && !upper) return -9;
-    double t[4] = {0, TAU, 1 - TAU, 1};
-    return cell + t[part + upper];
+    double t[3][2] = {{0, TAU2}, {TAU, 1 - TAU}, {1 - TAU2, 1}};
+    return cell + t[part][upper];
   }
   static bool within(double lo, double hi, int cell, int part) {
     double l = bound(cell, part, false), h = bound(cell, part, true);
@@ -269,13 +271,13 @@ struct State {
       bool right = sign > 0;
       const double eps = 1e-12;
       if (part < 2) {  // Y <= upper bound
-        range(ray, level + (part == 0 ? TAU : 1 - TAU), lo, hi);
+        range(ray, level + (part == 0 ? TAU2 : 1 - TAU), lo, hi);
         if (right ? hi < column - eps : lo > column + eps) return false;
         XY v = own(ray);  // below the crossing
-        if (v.y.c - v.y.rad() >= level + (part == 0 ? TAU : 1 - TAU) - eps) return false;
+        if (v.y.c - v.y.rad() >= level + (part == 0 ? TAU2 : 1 - TAU) - eps) return false;
       }
       if (part > 0) {
-        range(ray, level + (part == 1 ? TAU : 1 - TAU), lo, hi);
+        range(ray, level + (part == 1 ? TAU : 1 - TAU2), lo, hi);
         if (right ? lo > column + eps : hi < column - eps) return false;
       }
     }
@@ -386,7 +388,8 @@ void search(const Box& b, int depth, long fails, const Heir* heir) {
 
 int main(int argc, char** argv) {
   if (argc < 6) { fprintf(stderr, "usage: search TABLE CLASS KAPPA TAU DEPTH [HEIGHT [NEAREST]]\n"); return 2; }
-  read_table(argv[1]); CLASS = atoi(argv[2]); KAPPA = atof(argv[3]); TAU = atof(argv[4]); DEPTH = atoi(argv[5]);
+  read_table(argv[1]); CLASS = atoi(argv[2]); KAPPA = atof(argv[3]); TAU = TAU2 = atof(argv[4]); DEPTH = atoi(argv[5]);
+  if (const char* more = strchr(argv[4], ',')) TAU2 = atof(more + 1);
   HEIGHT = argc > 6 ? atof(argv[6]) : 0; EDGES = argc > 7 && argv[7][0] == 'e'; NEAREST = argc > 7 && argv[7][0] == 'n';
   Box b = {{0, 0, -1, -1}, {1, 1, 1, 1}};
   if (CLASS == 0) b.hi[0] = 0.5;

@@ -56,9 +56,9 @@ def moved_to(c: Configuration, low: tuple[int, int], p: HPoint) -> Vector:
     return unturned(c.quarters, (mpq(p[0], p[2]) - low[0], mpq(p[1], p[2]) - low[1]))
 
 
-def by_the_proof(c: Configuration, corner: Vector) -> list[Faces]:
+def by_the_proof(c: Configuration, corner: Vector, tau: mpq = TAU) -> list[Faces]:
     """The faces that the block program leaves: one set for each outcome."""
-    made = block(c.cls, type_of(c, E, TAU), type_of(c, F, TAU))
+    made = block(c.cls, type_of(c, E, tau), type_of(c, F, tau))
     assert made is not None
     k, level = unturned(c.quarters, corner)
     return [
@@ -67,10 +67,10 @@ def by_the_proof(c: Configuration, corner: Vector) -> list[Faces]:
     ]
 
 
-def agreements(polygon: Polygon) -> int:
+def agreements(polygon: Polygon, tau: mpq = TAU) -> int:
     """How many corners of vertices agree; fails at the first that does not."""
     traced, tracer = trace(diced(polygon))
-    rule = CornerRule(traced, tracer, TAU)
+    rule = CornerRule(traced, tracer, tau)
     framed = traced.diced.framed.polygon
     count = 0
     for v in range(framed.n):
@@ -84,7 +84,7 @@ def agreements(polygon: Polygon) -> int:
                 for face in [from_least([moved_to(c, low, p) for p in points])]
                 if not is_whole_square(face)
             )
-            assert faces in by_the_proof(c, (mpq(k - low[0]), mpq(level - low[1])))
+            assert faces in by_the_proof(c, (mpq(k - low[0]), mpq(level - low[1])), tau)
             count += 1
     return count
 
@@ -101,6 +101,16 @@ def test_it_is_the_packages_on_random_and_threshold_inputs(cls: int) -> None:
 @pytest.mark.parametrize(("kind", "seed"), [("threshold", 20), ("threshold", 555), ("plate", 0)])
 def test_it_is_the_packages_on_whole_polygons(kind: str, seed: int) -> None:
     assert agreements(drawn(kind, seed).polygon) > 0
+
+
+@pytest.mark.parametrize("tau", [mpq(1, 10), mpq(1, 16)])
+def test_it_is_the_packages_for_other_thresholds(tau: mpq) -> None:
+    assert agreements(drawn("threshold", 20).polygon, tau) > 0
+    random = Random(f"blocks {tau}")
+    for _ in range(3):
+        c = some_configuration(random, random.choice(CLASSES))
+        polygon = polygon_from_rings([moved_back(around(c.v, *directions(c)))])
+        assert agreements(polygon, tau) > 0
 
 
 @pytest.mark.parametrize("cls", CLASSES)

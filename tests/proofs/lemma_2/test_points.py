@@ -18,10 +18,12 @@ from proofs.lemma_2.replay import Rays, scaled
 from proofs.lemma_2.warping import outcomes
 from tests.proofs.lemma_2.configurations import TAU, some_configuration
 
-BOUNDS = Bounds((1, 1), scaled(1, 8))
+EIGHTH = Bounds((1, 1), scaled(1, 8))
+SLAB = Bounds((1, 1), scaled(1, 16), slab=scaled(1, 16))
+"""All thresholds from 1/16 to 1/8."""
 
 
-def random_box(random: Random, c: Configuration) -> Boxes:
+def random_box(random: Random, c: Configuration, bounds: Bounds) -> Boxes:
     """A box with a configuration in it, not in its middle."""
     size = ONE >> random.choice((3, 5, 8, 12))
     low, high = [], []
@@ -29,7 +31,7 @@ def random_box(random: Random, c: Configuration) -> Boxes:
         start = int(p * ONE) - random.randrange(size)
         low.append([start])
         high.append([start + 2 * size])
-    return Boxes(np.array(low, dtype=np.int64), np.array(high, dtype=np.int64), c.cls, BOUNDS)
+    return Boxes(np.array(low, dtype=np.int64), np.array(high, dtype=np.int64), c.cls, bounds)
 
 
 def is_within(form: Form, value: mpq) -> bool:
@@ -39,13 +41,15 @@ def is_within(form: Form, value: mpq) -> bool:
     return bool(abs(value * ONE - int(centre)) <= int(radius))
 
 
+@pytest.mark.parametrize("bounds", [EIGHTH, SLAB], ids=["1/8", "slab"])
 @pytest.mark.parametrize("cls", range(4))
-def test_types_and_places(cls: int) -> None:
+def test_types_and_places(cls: int, bounds: Bounds) -> None:
     random = Random(f"points {cls}")
-    for _ in range(40):
+    for _ in range(40 if bounds == EIGHTH else 20):
         c = some_configuration(random, cls)
-        boxes = random_box(random, c)
-        kinds = [type_of(c, ray, TAU) for ray in (E, F)]
+        boxes = random_box(random, c, bounds)
+        tau = TAU - mpq(random.randrange(5) * bounds.slab, 4 * ONE)
+        kinds = [type_of(c, ray, tau) for ray in (E, F)]
         rays = Rays(boxes)
         assert all(rays.possible(ray, kinds[ray]).all() for ray in (E, F))
         made = block(cls, *kinds)

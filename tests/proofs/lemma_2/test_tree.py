@@ -6,7 +6,7 @@ import pytest
 
 from proofs.lemma_2.block import DOWN, LEFT, UP
 from proofs.lemma_2.forms import ONE
-from proofs.lemma_2.tree import MalformedTree, leaves, stored
+from proofs.lemma_2.tree import MalformedTree, leaves, sampled, stored
 
 
 def test_every_side_is_halved() -> None:
@@ -52,6 +52,19 @@ def test_mirror_images_are_left_out_of_the_root() -> None:
 def test_what_is_no_tree_is_refused(word: bytes, why: str) -> None:
     with pytest.raises(MalformedTree, match=why):
         leaves(word, LEFT)
+    if why != "too small":  # which is seen only on the paths that are taken
+        with pytest.raises(MalformedTree):
+            sampled(word, LEFT, [])
+
+
+def test_single_leaves_are_those_of_the_whole_tree() -> None:
+    word = stored("crowded", DOWN)
+    found = leaves(word, DOWN)
+    numbers = [*range(0, found.low.shape[1], 7), found.low.shape[1] - 1]
+    some = sampled(word, DOWN, numbers)
+    assert (some.low == found.low[:, numbers]).all() and (some.high == found.high[:, numbers]).all()
+    with pytest.raises(MalformedTree, match="too small"):
+        sampled(b"1" * 40 + b"0" * 41, LEFT, [0])
 
 
 @pytest.mark.parametrize("cut", [1, 1000])
