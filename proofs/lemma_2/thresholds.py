@@ -145,7 +145,7 @@ def other_thresholds() -> str:
     thousand from 7/128 on.  At 1/64 a search stopped at 580 thousand with 1.4 % of the parameters
     done; it was stuck nowhere.
     """
-    return "checked on every run (`lemma-2.block-angles`), never failed"
+    return "checked on every run (`lemma-2.block-angle`), never failed"
 
 
 @CHAPTER.open(
