@@ -41,7 +41,7 @@ ROWS: Sequence[Sequence[str]] = (
 NOTES: Sequence[str] = (
     "[1] `theorem_1.count` and `.height`, *proved* (blocks: with `--full`).",
     "[2] `theorems_2_3.theorem_2_count` and `.largest_angle`, *proved* (blocks: with `--full`). "
-    "Any bound above 135 degrees has the same counts (`section_2.general_tau`); from 142.13 on "
+    "Any bound above 135 degrees has the same counts (`section_2.general_tau`); from 141.25 on "
     "it is proved to be kept (`.any_bound`, blocks: with `--full`).",
     "[3] `theorems_2_3.theorem_3_count`, *proved*; with Lemma 8's sharper count 4 (N + N^1.5), "
     "N = 858 n.",

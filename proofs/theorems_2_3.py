@@ -12,6 +12,7 @@ from bern_exact.exact.enclosures import sqrt_enclosure
 from bern_exact.theorems.threshold import largest_angle_for, threshold_for
 from proofs.algebra import demand_equal
 from proofs.lemma_2.thresholds import LEAST
+from proofs.merged_faces import left_out
 from proofs.powers import log_bounds, rounded, shown
 from proofs.section_2 import degrees_of_arctan
 from proofs.statement import CERTIFICATE, IDENTITY, Chapter, demand
@@ -136,14 +137,21 @@ def any_bound() -> str:
     The least tau of the certificates is such a fraction: for these A, and for no smaller ones, tau
     is at least that.  The parts are those of `largest_angle`, each for every tau <= 1/8: 135 inside
     Q, in fans and in blocks; merged faces and rectangles by written proofs with tau as a symbol.
-    What these and `outside_blocks` and `lemma_4` compare at tau = 1/8 alone holds all the more
-    below, but for one comparison of `merged_faces.every_merged_face`, whose worst is tau = 0.
+    What these, `outside_blocks` and `lemma_4` compare at tau = 1/8 alone holds all the more below,
+    with two exceptions.  One comparison of `merged_faces.every_merged_face` is worst at tau = 0.
+    And projections nearer than tau/sqrt 2 to an end are not drawn: those are among the ones that
+    `every_merged_face` leaves out (`merged_faces.base_pieces`) if `left_out(tau)` is above tau.
     """
     angle = largest_angle_for(LEAST)
     bound = parse_angle_bound(f"cos:-1:{angle.cos_squared}")
     demand(threshold_for(bound) == LEAST, "the least tau is taken, just where it may be")
     common = 5  # squared: 5 (1 - tau)^2 at tau = 0
     demand(4 * 32 * common < (bounds_grid.FACTOR**2 - 32 - common) ** 2, "`every_merged_face`")
+    tau = sympy.Symbol("tau", positive=True)
+    y = tau / (1 + 2 * tau * tau)
+    demand_equal(left_out(tau), 2 * y / (1 + y), "left_out() > tau if 2 y > tau (1 + y)")
+    more = (2 * y - tau * (1 + y)) * (1 + 2 * tau * tau)
+    demand_equal(more, tau * (1 + tau) * (1 - 2 * tau), "above 0 for tau < 1/2")
     low, high = degrees_of_arctan(2 * LEAST)
     demand(bool(135 + high < 150 and bounds.boundary_cotangent(LEAST) < -1), "a range")
     return f"tau from {LEAST} to 1/8: A from {shown((135 + low, 135 + high), 8)} degrees"

@@ -26,7 +26,7 @@ def test_a_sample_is_not_called_a_proof() -> None:
 
 
 def test_a_slab_that_is_wider_than_its_trees_fails() -> None:
-    # Upwards it hardly does: what holds near 1/16 in so small boxes holds up to 1/4 as well.
+    # Upwards it hardly does: what holds at low tau in so small boxes holds up to 1/4 as well.
     found = some_leaves(RIGHT, 50)
     assert replayed(found, RIGHT, SLAB.claim) == found.low.shape[1]
     with pytest.raises(NotShown):
