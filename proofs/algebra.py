@@ -5,11 +5,15 @@ from __future__ import annotations
 from typing import Any
 
 import sympy
+from gmpy2 import mpq
 
 from proofs.statement import demand
 
 Expression = Any
 """A SymPy expression; SymPy has no types of its own."""
+
+ROOT_2 = mpq(99, 70)
+"""More than sqrt 2."""
 
 
 def symbols(names: str) -> Any:

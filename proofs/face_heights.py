@@ -13,15 +13,13 @@ from typing import Any
 from gmpy2 import mpq
 
 from bern_exact.checkers import bounds
-from proofs.algebra import demand_equal, demand_nonnegative, symbols
+from proofs.algebra import ROOT_2, demand_equal, demand_nonnegative, symbols
 from proofs.statement import IDENTITY, Chapter, demand
 
 CHAPTER = Chapter()
 statements = CHAPTER.statements
 
 TAU = bounds.TAU
-ROOT_2 = mpq(99, 70)
-"""More than sqrt 2."""
 
 
 def least_at_corner(p: mpq, q: mpq, tangent: mpq) -> mpq:

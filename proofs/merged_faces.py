@@ -18,15 +18,20 @@ from gmpy2 import mpq
 
 from bern_exact.checkers import bounds
 from bern_exact.checkers.bounds_grid import FACTOR
-from proofs.algebra import Expression, demand_equal, demand_nonnegative, demand_positive, symbols
+from proofs.algebra import (
+    ROOT_2,
+    Expression,
+    demand_equal,
+    demand_nonnegative,
+    demand_positive,
+    symbols,
+)
 from proofs.statement import IDENTITY, Chapter, demand
 
 CHAPTER = Chapter()
 statements = CHAPTER.statements
 
 TAU = bounds.TAU
-ROOT_2 = mpq(99, 70)
-"""More than sqrt 2."""
 
 
 def left_out(tau: mpq = TAU) -> mpq:
